@@ -1,0 +1,1 @@
+"""What to try: scenario files, bundled rigs, and the code that loads and expands them."""
