@@ -1,0 +1,52 @@
+"""The settings of a whole world, and what it yields at each instant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from estimator.bundle import FrameBundle
+from estimator.config import Config
+from estimator.se3 import SE3, Array
+from sim.drive import DriveConfig
+from sim.miscalibration import MiscalibrationConfig
+from sim.sensor import SensorConfig
+from sim.street import StreetConfig
+from sim.weather import WeatherConfig
+
+
+class WorldConfig(Config):
+    """Everything besides rig and seed that changes a recording."""
+
+    street: StreetConfig = StreetConfig()
+    drive: DriveConfig = DriveConfig()
+    miscalibration: MiscalibrationConfig = MiscalibrationConfig()
+    weather: WeatherConfig = WeatherConfig()
+    sensor: SensorConfig = SensorConfig()
+    renderer: Literal["classic"] = "classic"
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """The exact state at one bundle.
+
+    Attributes:
+        stamp_ns: Stamp of the bundle.
+        world_from_ego: Pose of the car.
+        velocity_ego: (6,) angular (rad/s) and linear (m/s) velocity in the ego frame.
+        ego_from_cams: True extrinsics by camera.
+    """
+
+    stamp_ns: int
+    world_from_ego: SE3
+    velocity_ego: Array
+    ego_from_cams: Mapping[str, SE3]
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """A bundle and the truth that belongs to it; only the recorder sees both."""
+
+    bundle: FrameBundle
+    truth: Truth
