@@ -1,0 +1,54 @@
+"""Find bundled scenarios, sweeps and rigs by name, or a user's own by path."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Literal
+
+from estimator.errors import InputError
+
+Kind = Literal["scenario", "sweep", "rig"]
+
+_ROOM = Path(__file__).parent
+_FOLDERS: dict[Kind, Path] = {"scenario": _ROOM, "sweep": _ROOM / "sweeps", "rig": _ROOM / "rigs"}
+_SUFFIXES = (".yaml", ".yml")
+
+
+def bundled_names(kind: Kind) -> tuple[str, ...]:
+    """Return the names of what comes with the package, sorted."""
+    return tuple(sorted(path.stem for path in _FOLDERS[kind].glob("*.yaml")))
+
+
+def bundled_path(kind: Kind, name: str) -> Path:
+    """Return the file of a bundled name."""
+    return _FOLDERS[kind] / f"{name}.yaml"
+
+
+def find_file(kind: Kind, reference: str, relative_to: Path) -> Path:
+    """Return the file that a bundled name or a path means.
+
+    Args:
+        kind: What is sought.
+        reference: A bundled name ("gap"), or a path: anything with a slash or the suffix of a YAML file.
+        relative_to: Folder that a relative path starts from.
+
+    Raises:
+        InputError: Neither a bundled name nor a file.
+    """
+    if "/" in reference or reference.endswith(_SUFFIXES):
+        path = relative_to / Path(reference).expanduser()
+        if not path.is_file():
+            raise InputError(f"{path}: no such {kind} file")
+        return path
+    names = bundled_names(kind)
+    if reference not in names:
+        raise InputError(
+            f"{kind} {reference!r} is not known; there are: {', '.join(names)}{_hint(reference, names)}"
+        )
+    return bundled_path(kind, reference)
+
+
+def _hint(wrong: str, names: tuple[str, ...]) -> str:
+    close = get_close_matches(wrong, names, n=1)
+    return f" (did you mean {close[0]!r}?)" if close else ""

@@ -1,0 +1,108 @@
+"""Load a scenario: find its file, resolve ``base``, lay ``--set`` on top, check every key."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from estimator.config_error import describe_first_error
+from estimator.errors import InputError
+from estimator.rig_file import read_rig
+from estimator.yaml_file import read_yaml
+from scenarios.bundled import find_file
+from scenarios.overrides import merge, parse_overrides
+from scenarios.scenario import Scenario, ScenarioEntry
+
+
+@dataclass(frozen=True)
+class Layer:
+    """Keys from one source; a scenario is a stack of them, the topmost first."""
+
+    source: str
+    folder: Path
+    keys: Mapping[str, Any]
+
+
+def load_scenario(reference: str, settings: Iterable[str] = ()) -> Scenario:
+    """Load a bundled scenario by name or a user's own by path.
+
+    Args:
+        reference: A bundled name, or a path relative to the working folder.
+        settings: ``dotted.path=value`` texts that override the file.
+
+    Raises:
+        InputError: One line with the file, the path of the key, what was got, wanted, and what there is.
+    """
+    path = find_file("scenario", reference, Path.cwd())
+    overrides = Layer("--set", Path.cwd(), parse_overrides(settings))
+    if "base" in overrides.keys:
+        raise InputError("--set base: a base is chosen in the file, not on the command line")
+    layers = (overrides, *_read_layers(path))
+    entry = _validate(layers)
+    rig_folder = next((layer.folder for layer in layers if "rig" in layer.keys), Path.cwd())
+    rig = read_rig(find_file("rig", entry.rig, rig_folder))
+    return Scenario(path.stem, entry.about, rig, entry.world())
+
+
+def _read_layers(path: Path) -> tuple[Layer, ...]:
+    """Read a file and its bases, the most special first."""
+    layers: list[Layer] = []
+    visited: list[Path] = []
+    while True:
+        visited.append(path.resolve())
+        keys = read_mapping(path, "scenario")
+        base = keys.pop("base", None)
+        layers.append(Layer(str(path), path.parent, keys))
+        if base is None:
+            return tuple(layers)
+        if not isinstance(base, str):
+            raise InputError(f"{path}: base: got {base!r}, wanted the name or file of a scenario")
+        path = _find_base(path, base)
+        if path.resolve() in visited:
+            names = " -> ".join(each.stem for each in [*visited, path])
+            raise InputError(f"{path}: base: scenarios inherit in a circle: {names}")
+
+
+def _find_base(path: Path, base: str) -> Path:
+    try:
+        return find_file("scenario", base, path.parent)
+    except InputError as error:
+        raise InputError(f"{path}: base: {error}") from None
+
+
+def read_mapping(path: Path, what: str) -> dict[str, Any]:
+    """Read a YAML file that must hold keys with values."""
+    values = read_yaml(path, f"{what} file")
+    if not isinstance(values, dict):
+        got = "nothing" if values is None else type(values).__name__
+        raise InputError(f"{path}: got {got}, wanted a {what}: keys with values")
+    return values
+
+
+def _validate(layers: Sequence[Layer]) -> ScenarioEntry:
+    merged: dict[str, Any] = {}
+    for layer in reversed(layers):
+        merged = merge(merged, layer.keys)
+    try:
+        return ScenarioEntry.model_validate(merged, strict=True)
+    except ValidationError as error:
+        problem = describe_first_error(error, ScenarioEntry)
+        key = problem.partition(":")[0]
+        raise InputError(f"{_source_of(key, layers)}: {problem}") from None
+
+
+def _source_of(key: str, layers: Sequence[Layer]) -> str:
+    """Name the topmost layer that sets a dotted key; a key that nobody set is the file's to give."""
+    for layer in layers:
+        value: Any = layer.keys
+        for part in key.split("."):
+            if not isinstance(value, Mapping) or part not in value:
+                break
+            value = value[part]
+        else:
+            return layer.source
+    return layers[1].source
