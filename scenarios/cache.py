@@ -1,8 +1,8 @@
 """Rendered recordings, kept under the user's cache folder so that the same digest renders once.
 
-A recording lives in ``<digest>/`` with the SHA-256 of its files beside it, checked on every use. One lock file a
-digest lets concurrent workers wait for each other; whoever reads holds it shared, so that nobody evicts under
-them. Rendering goes to a temporary name that is renamed when whole.
+A recording lives in ``<digest>/`` with the SHA-256 of its files beside it, checked on every use. One lock
+file a digest lets concurrent workers wait for each other; readers hold it shared, so that nobody evicts
+under them. Rendering goes to a temporary name that is renamed when whole.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class RecordingCache:
 
     @staticmethod
     def of_user() -> RecordingCache:
-        """Return the cache at ``RIGTRUE_CACHE``, else below ``XDG_CACHE_HOME``; capped by ``RIGTRUE_CACHE_GB``."""
+        """Return the cache that the environment names, else ``~/.cache/rigtrue`` of at most 20 GB."""
         home = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
         folder = Path(os.environ.get("RIGTRUE_CACHE") or Path(home) / "rigtrue").expanduser()
         return RecordingCache(folder.absolute(), int(_cap_gb() * 1e9))
@@ -50,13 +50,22 @@ class RecordingCache:
         self._make_folder()
         entry = self.folder / digest
         with (self.folder / f"{digest}.lock").open("a") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            if not checksum_holds(entry):
-                self._render_into(entry, render)
-                self._evict(keep=digest)
-            os.utime(entry)
             fcntl.flock(lock, fcntl.LOCK_SH)
+            while not checksum_holds(entry):
+                fcntl.flock(lock, fcntl.LOCK_EX)
+                if not checksum_holds(entry):  # another process may have rendered it while this one waited
+                    self._render_into(entry, render)
+                    self._evict(keep=digest)
+                fcntl.flock(lock, fcntl.LOCK_SH)  # not atomic, so look again
+            os.utime(entry)
             yield entry / _BAG
+
+    def used_bytes(self) -> int:
+        """Return the size of all recordings."""
+        return sum(_size_bytes(path) for path in self._entries())
+
+    def _entries(self) -> list[Path]:
+        return [path for path in self.folder.iterdir() if path.is_dir() and not path.suffix]
 
     def _make_folder(self) -> None:
         try:
@@ -83,10 +92,9 @@ class RecordingCache:
 
     def _evict(self, keep: str) -> None:
         """Delete least recently used recordings until the rest fits; those in use stay."""
-        entries = [path for path in self.folder.iterdir() if path.is_dir() and not path.suffix]
-        sizes = {path: _size_bytes(path) for path in entries}
+        sizes = {path: _size_bytes(path) for path in self._entries()}
         total = sum(sizes.values())
-        for entry in sorted(entries, key=lambda path: path.stat().st_mtime):
+        for entry in sorted(sizes, key=lambda path: path.stat().st_mtime):
             if total <= self.cap_bytes:
                 return
             if entry.name != keep and _remove_unused(entry):

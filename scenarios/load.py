@@ -12,8 +12,8 @@ from pydantic import ValidationError
 from estimator.config_error import describe_first_error
 from estimator.errors import InputError
 from estimator.rig_file import read_rig
-from estimator.yaml_file import read_yaml
 from scenarios.bundled import find_file
+from scenarios.files import read_mapping
 from scenarios.overrides import merge, parse_overrides
 from scenarios.scenario import Scenario, ScenarioEntry
 
@@ -72,15 +72,6 @@ def _find_base(path: Path, base: str) -> Path:
         return find_file("scenario", base, path.parent)
     except InputError as error:
         raise InputError(f"{path}: base: {error}") from None
-
-
-def read_mapping(path: Path, what: str) -> dict[str, Any]:
-    """Read a YAML file that must hold keys with values."""
-    values = read_yaml(path, f"{what} file")
-    if not isinstance(values, dict):
-        got = "nothing" if values is None else type(values).__name__
-        raise InputError(f"{path}: got {got}, wanted a {what}: keys with values")
-    return values
 
 
 def _validate(layers: Sequence[Layer]) -> ScenarioEntry:

@@ -1,0 +1,71 @@
+"""Put a result where the user wants it: checked before the work, and there only when it is whole."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from estimator.errors import InputError
+
+RUNS = Path("reports/runs")
+
+
+@contextmanager
+def replacing_run_folder(out: Path) -> Iterator[Path]:
+    """Yield a name to write a run folder to; it takes the place of ``out`` if the block ends well.
+
+    Raises:
+        InputError: ``out`` is something else than a run folder, or cannot be written.
+    """
+    if out.exists() and not _is_replaceable(out):
+        raise InputError(f"{out}: exists and is no run folder (it has no scores.json); it is left as it is")
+    with _publishing(out) as temporary:
+        yield temporary
+
+
+@contextmanager
+def creating(out: Path) -> Iterator[Path]:
+    """Yield a name to write to; it becomes ``out``, which must not exist, if the block ends well.
+
+    Raises:
+        InputError: ``out`` exists, or cannot be written.
+    """
+    if out.exists():
+        raise InputError(f"{out}: exists; wanted a name that is free")
+    with _publishing(out) as temporary:
+        yield temporary
+
+
+def make_folder(folder: Path) -> None:
+    """Make a folder and its parents.
+
+    Raises:
+        InputError: It cannot be made or written.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise InputError(f"{folder}: cannot write this folder: {error.strerror}") from None
+
+
+def _is_replaceable(out: Path) -> bool:
+    return out.is_dir() and ((out / "scores.json").is_file() or not any(out.iterdir()))
+
+
+@contextmanager
+def _publishing(out: Path) -> Iterator[Path]:
+    out = out.absolute()
+    make_folder(out.parent)
+    workshop = Path(tempfile.mkdtemp(prefix=f".{out.name}.partial-", dir=out.parent))
+    try:
+        yield workshop / "new"
+        if out.exists():
+            out.rename(workshop / "old")
+        (workshop / "new").rename(out)
+    finally:
+        shutil.rmtree(workshop, ignore_errors=True)

@@ -1,0 +1,47 @@
+"""Estimate on a recording that exists, the user's own too; score it if it holds truth."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from estimator.errors import InputError
+from estimator.rig_file import read_rig
+from eval.console import Console
+from eval.estimators import find_estimator
+from eval.failure_log import keeping_traceback
+from eval.header import RunHeader
+from eval.judge import RunResult, judge_recording
+from eval.out_folder import RUNS, replacing_run_folder
+from eval.provenance import provenance
+from scenarios.checksum import folder_digest
+
+
+@dataclass(frozen=True)
+class ReplayRequest:
+    """A bag, the nominal rig that recorded it, an estimator, and a place for the result."""
+
+    bag: Path
+    rig: Path
+    estimator: str
+    out: Path | None = None
+
+
+def replay(request: ReplayRequest, console: Console) -> RunResult:
+    """Estimate on one recording.
+
+    Raises:
+        InputError: The request, the bag or the rig file is wrong.
+        EstimatorError: The estimator raised.
+    """
+    rig = read_rig(request.rig)
+    make_estimator = find_estimator(request.estimator)
+    if not request.bag.exists():
+        raise InputError(f"{request.bag}: no such recording; wanted a ROS 2 bag: its folder, or an MCAP file")
+    name = request.bag.absolute().name
+    out = request.out or RUNS / f"{name}-{request.estimator.replace(':', '.')}"
+    with replacing_run_folder(out) as folder, keeping_traceback(out):
+        digest = folder_digest(request.bag)
+        header = RunHeader(name, digest, None, request.estimator, provenance(make_estimator))
+        result = judge_recording(request.bag, rig, make_estimator, header, folder, console)
+    return replace(result, folder=out)

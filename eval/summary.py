@@ -1,0 +1,38 @@
+"""The few lines that end a run: how far off each camera is, and where the report lies."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from eval.judge import RunResult
+from eval.metric_keys import extrinsic_key
+from eval.print_table import print_table
+
+_COLUMNS = ("camera", "status", "rotation_deg", "translation_mm", "sigma_deg", "sigma_mm")
+
+
+def print_summary(result: RunResult) -> None:
+    """Print errors against truth, and the sigmas that the estimator states (norms over the three axes)."""
+    rows = [_camera_row(result, camera) for camera in result.rig.estimated_names]
+    rows += [(pooled, "", *_errors(result, pooled), "", "") for pooled in ("median", "worst")]
+    print_table(_COLUMNS, rows, right=_COLUMNS[2:])
+    reason = result.metrics[extrinsic_key("worst", "rotation_deg")].reason
+    if reason:
+        print(f"errors are not known: {reason}")
+    print(f"report: {result.folder / 'report.html'}")
+
+
+def _camera_row(result: RunResult, camera: str) -> tuple[str, ...]:
+    estimate = result.final.cameras[camera]
+    sigma_deg = float(np.degrees(np.linalg.norm(estimate.sigma[:3])))
+    sigma_mm = 1000 * float(np.linalg.norm(estimate.sigma[3:]))
+    return camera, estimate.status.value, *_errors(result, camera), f"{sigma_deg:.3f}", f"{sigma_mm:.1f}"
+
+
+def _errors(result: RunResult, camera: str) -> tuple[str, str]:
+    rotation = result.metrics[extrinsic_key(camera, "rotation_deg")].value
+    translation = result.metrics[extrinsic_key(camera, "translation_mm")].value
+    return (
+        "-" if rotation is None else f"{rotation:.3f}",
+        "-" if translation is None else f"{translation:.1f}",
+    )

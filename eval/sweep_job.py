@@ -1,0 +1,80 @@
+"""One run of a sweep as a value that travels to a worker process."""
+
+from __future__ import annotations
+
+import json
+import traceback
+from dataclasses import dataclass
+from pathlib import Path
+
+from eval.code_digest import code_digest
+from eval.console import QuietConsole
+from eval.estimators import find_estimator
+from eval.run import RunRequest, run, run_name
+from scenarios.digest import recording_digest
+from scenarios.load import load_scenario
+from scenarios.sweep import SweepRun
+
+
+@dataclass(frozen=True)
+class SweepJob:
+    """A run with everything that decides its result.
+
+    Attributes:
+        request: What to run, and the run folder to write.
+        name: Name of the scenario.
+        cameras: The cameras that are estimated, for the rows of a run that failed.
+        digest: Of the recording.
+        code: Digest of the code that would make the result.
+    """
+
+    request: RunRequest
+    name: str
+    cameras: tuple[str, ...]
+    digest: str
+    code: str
+
+    def is_finished(self) -> bool:
+        """Tell whether the run folder holds this very run, made by this very code."""
+        assert self.request.out is not None
+        try:
+            scores = json.loads((self.request.out / "scores.json").read_text())
+            return bool(scores["digest"] == self.digest and scores["provenance"]["code"] == self.code)
+        except (OSError, ValueError, KeyError, TypeError):
+            return False
+
+
+def plan_job(planned: SweepRun, folder: Path) -> SweepJob:
+    """Check one run of a sweep before anything is rendered.
+
+    Raises:
+        InputError: The scenario or the estimator is wrong.
+    """
+    scenario = load_scenario(planned.scenario)
+    name = run_name(scenario.name, planned.seed, planned.estimator)
+    request = RunRequest(planned.scenario, planned.seed, planned.estimator, out=folder / name)
+    code = code_digest(find_estimator(planned.estimator))
+    digest = recording_digest(scenario, planned.seed)
+    return SweepJob(request, scenario.name, scenario.rig.estimated_names, digest, code)
+
+
+def run_job(job: SweepJob) -> str | None:
+    """Run one job to its run folder, unless it is there already; return why it failed, or None.
+
+    Whatever goes wrong in one run must not stop the others, so any exception becomes a reason.
+    """
+    if job.is_finished():
+        return None
+    try:
+        run(job.request, QuietConsole())
+    except Exception as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        _keep_crash(job.request.out, error)
+        return reason
+    return None
+
+
+def _keep_crash(out: Path | None, error: Exception) -> None:
+    """Leave a traceback beside the run folder that is not there."""
+    if out is not None:
+        out.with_name(f"{out.name}.error.log").write_text("".join(traceback.format_exception(error)))
