@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy.stats import chi2
 
+from estimator.estimate import CameraEstimate
+from estimator.se3 import SE3
 from eval.collect import RunLog
 from eval.errors import squared_mahalanobis, tangent_error
 from eval.metric import Missing, Value
@@ -29,6 +31,13 @@ def consistency_metrics(log: RunLog, truth: TruthTrack | None) -> dict[str, Valu
         "consistency.nees": float(values.mean() / _FREEDOM),
         "consistency.coverage95": float((values <= _REGION_95).mean()),
     }
+
+
+def inside_region95(estimate: CameraEstimate, true: SE3) -> bool | None:
+    """Tell whether the truth lies in the stated 95 % region; None where the covariance is not one."""
+    error = tangent_error(estimate.ego_from_cam, true)
+    distance = squared_mahalanobis(error, estimate.covariance)
+    return None if distance is None else distance <= _REGION_95
 
 
 def squared_distances(log: RunLog, truth: TruthTrack | None) -> dict[str, float] | Missing:

@@ -11,7 +11,7 @@ from eval.truth import TruthTrack
 
 
 def estimated_path(log: RunLog) -> Trajectory:
-    """Return the refined trajectory of ``close()``, or the online poses where it gave none; finite poses only."""
+    """Return the trajectory of ``close()``, or the online poses where it gave none; finite poses only."""
     if log.final.trajectory:
         known: list[tuple[int, SE3 | None]] = list(log.final.trajectory)
     else:
@@ -36,4 +36,4 @@ def driven_m(log: RunLog, truth: TruthTrack | None) -> Array | None:
     if not len(path):
         return None
     at_bundle = path.distance_m_at(log.stamps_ns)
-    return at_bundle - at_bundle[0]
+    return np.asarray(at_bundle - at_bundle[0])

@@ -9,6 +9,7 @@ import csv
 import json
 from collections.abc import Iterator
 from io import StringIO
+from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -25,7 +26,7 @@ CSV_COLUMNS = (
 
 
 def extrinsics_csv(log: RunLog) -> str:
-    """Return the online estimates as CSV: a row for each bundle and camera, the reference with zero sigmas."""
+    """Return the online estimates as CSV: a row a bundle and camera, the reference with zero sigmas."""
     text = StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(CSV_COLUMNS)
@@ -75,12 +76,12 @@ def seconds_text(stamp_ns: int) -> str:
 
 def events_jsonl(log: RunLog, warnings: tuple[str, ...]) -> str:
     """Return what happened: warnings of the reader, then every change of a camera's status."""
-    events: list[dict[str, object]] = [{"event": "warning", "text": text} for text in warnings]
+    events: list[dict[str, Any]] = [{"event": "warning", "text": text} for text in warnings]
     events += status_changes(log)
     return "".join(json.dumps(event) + "\n" for event in events)
 
 
-def status_changes(log: RunLog) -> Iterator[dict[str, object]]:
+def status_changes(log: RunLog) -> Iterator[dict[str, Any]]:
     """Yield the first status of each camera and every later change, in order of time."""
     before: dict[str, Status] = {}
     for entry in log.entries:

@@ -31,7 +31,7 @@ class Trajectory:
 
     @staticmethod
     def from_poses(stamps_ns: Sequence[int], world_from_egos: Sequence[SE3]) -> Trajectory:
-        """Build from poses in order; of two poses at one stamp, or a stamp that steps back, the first stays."""
+        """Build from poses in order; of stamps that do not grow, the first stays."""
         kept: list[int] = []
         last = None
         for index, stamp in enumerate(stamps_ns):
@@ -63,10 +63,11 @@ class Trajectory:
         stamps = np.asarray(stamps_ns, np.int64)
         if not len(self):
             return np.zeros(len(stamps), bool)
-        return (stamps >= self.stamps_ns[0] - _EDGE_NS) & (stamps <= self.stamps_ns[-1] + _EDGE_NS)
+        first, last = self.stamps_ns[0] - _EDGE_NS, self.stamps_ns[-1] + _EDGE_NS
+        return np.asarray((stamps >= first) & (stamps <= last))
 
     def at(self, stamps_ns: Sequence[int] | npt.NDArray[np.int64]) -> Trajectory:
-        """Interpolate at stamps that are covered: straight lines between positions, slerp between rotations."""
+        """Interpolate at covered stamps: straight lines between positions, slerp between rotations."""
         stamps = np.asarray(stamps_ns, np.int64)
         own_s = self._seconds(self.stamps_ns)
         at_s = np.clip(self._seconds(stamps), own_s[0], own_s[-1])
