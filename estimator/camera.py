@@ -13,10 +13,10 @@ import numpy.typing as npt
 
 from estimator.distortion import (
     distort_brown_conrady,
-    distorted_angle,
     undistort_brown_conrady,
-    undistorted_angle,
+    within_fold_brown_conrady,
 )
+from estimator.distortion_angle import distorted_angle, fold_angle, undistorted_angle
 from estimator.se3 import Array
 
 CameraModel = Literal["pinhole", "brown_conrady", "kannala_brandt"]
@@ -47,9 +47,15 @@ class Camera:
             raise ValueError(f"camera model {self.model!r}; there are: {', '.join(get_args(CameraModel))}")
         wanted = COEFFICIENT_COUNT[self.model]
         if len(self.distortion) != wanted:
-            raise ValueError(f"{self.model} takes {wanted} distortion coefficients, got {len(self.distortion)}")
+            raise ValueError(
+                f"{self.model} takes {wanted} distortion coefficients, got {len(self.distortion)}"
+            )
         if min(self.size_px) <= 0 or min(self.focal_px) <= 0:
             raise ValueError(f"size_px {self.size_px} and focal_px {self.focal_px} must be positive")
+        if not np.isfinite([*self.focal_px, *self.center_px, *self.distortion]).all():
+            raise ValueError(
+                f"intrinsics must be finite: {self.focal_px}, {self.center_px}, {self.distortion}"
+            )
 
     def project(self, points_cam: Array) -> Array:
         """Project (N, 3) points to (N, 2) pixels; NaN where the model cannot see the point."""
@@ -62,7 +68,10 @@ class Camera:
         return pixels, jacobian
 
     def unproject(self, pixels: Array) -> Array:
-        """Return the (N, 3) unit viewing rays of (N, 2) pixels, in the optical frame."""
+        """Return the (N, 3) unit viewing rays of (N, 2) pixels, in the optical frame.
+
+        NaN where the model has no inverse: beyond the radius at which its polynomial turns back.
+        """
         pixels = np.asarray(pixels, float).reshape(-1, 2)
         plane = (pixels - np.array(self.center_px)) / np.array(self.focal_px)
         if self.model == "kannala_brandt":
@@ -101,9 +110,10 @@ def _perspective_plane(points: Array, distortion: tuple[float, ...]) -> tuple[Ar
     jacobian[:, 0, 0] = jacobian[:, 1, 1] = 1 / depth
     jacobian[:, :, 2] = -plane / depth[:, None]
     if distortion:
-        plane, by_plane = distort_brown_conrady(plane, np.array(distortion))
-        folded = np.linalg.det(by_plane) <= 0  # beyond the radius where the polynomial turns back
-        plane = np.where(folded[:, None], np.nan, plane)
+        undistorted = plane
+        plane, by_plane = distort_brown_conrady(undistorted, np.array(distortion))
+        seen = within_fold_brown_conrady(undistorted, by_plane, np.array(distortion))
+        plane = np.where(seen[:, None], plane, np.nan)
         jacobian = by_plane @ jacobian
     return plane, jacobian
 
@@ -113,11 +123,12 @@ def _fisheye_plane(points: Array, coefficients: Array) -> tuple[Array, Array]:
     x, y, z = points.T
     radius = np.hypot(x, y)
     norm2 = np.maximum(radius**2 + z**2, _MIN_DEPTH)
-    theta_d, slope = distorted_angle(np.arctan2(radius, z), coefficients)
+    theta = np.arctan2(radius, z)
+    theta_d, slope = distorted_angle(theta, coefficients)
     on_axis = radius < 1e-9
     safe = np.where(on_axis, 1.0, radius)
     scale = np.where(on_axis, 1 / np.maximum(z, _MIN_DEPTH), theta_d / safe)
-    scale = np.where((slope > 0) & ~(on_axis & (z <= 0)), scale, np.nan)
+    scale = np.where((theta < fold_angle(coefficients)) & ~(on_axis & (z <= 0)), scale, np.nan)
     plane = points[:, :2] * scale[:, None]
     unit = points[:, :2] / safe[:, None]
     # theta = atan2(r, z): dtheta = (z dr - r dz) / (r^2 + z^2)

@@ -1,22 +1,27 @@
-"""Lens distortion on the normalised image plane, and its inverse.
+"""Brown-Conrady distortion on the normalised image plane, and its inverse.
 
-Every model maps undistorted to distorted normalised coordinates. Forward functions also return the (N, 2, 2)
-Jacobian, from which ``invert`` builds Newton steps. Coefficients are in OpenCV order; the Kannala-Brandt model
-works on rays and so lives on angles rather than on the plane.
+The polynomial turns back at some radius, the fold. Beyond it the model describes no lens, so the inverse
+answers NaN there. Coefficients are in OpenCV's order, k1 k2 p1 p2 k3. The fisheye is in ``distortion_angle``.
 """
 
 from __future__ import annotations
 
-import numpy as np
+from functools import lru_cache
 
+import numpy as np
+import numpy.typing as npt
+
+from estimator.fold import first_turn
 from estimator.se3 import Array
 
-_NEWTON_STEPS = 50
-_CONVERGED = 1e-14
+_NEWTON_STEPS = 40
+_CONVERGED = 1e-14  # of the plane's unit, times the value where it exceeds 1: 1e-11 px at f = 1000
+_ACCEPTED = 1e-13
+_TABLE_SIZE = 2048
 
 
 def distort_brown_conrady(plane: Array, coefficients: Array) -> tuple[Array, Array]:
-    """Distort (N, 2) normalised points with k1 k2 p1 p2 k3.
+    """Distort (N, 2) normalised points with k1 k2 p1 p2 k3, whether or not they lie within the fold.
 
     Returns:
         The (N, 2) distorted points and the (N, 2, 2) Jacobian of distorted by undistorted.
@@ -44,54 +49,89 @@ def distort_brown_conrady(plane: Array, coefficients: Array) -> tuple[Array, Arr
     return out, jacobian
 
 
-def undistort_brown_conrady(distorted: Array, coefficients: Array) -> Array:
-    """Invert ``distort_brown_conrady`` by damped Newton steps from the distorted point."""
-    plane = distorted.copy()
-    value, jacobian = distort_brown_conrady(plane, coefficients)
-    error = np.linalg.norm(value - distorted, axis=1)
-    for _ in range(_NEWTON_STEPS):
-        determinant = np.linalg.det(jacobian)
-        solvable = np.abs(determinant) > 1e-9
-        step = np.zeros_like(plane)
-        step[solvable] = np.linalg.solve(jacobian[solvable], (distorted - value)[solvable, :, None])[..., 0]
-        length = np.ones(len(plane))
-        for _ in range(8):  # halve a step that makes the error grow: far corners start beyond the basin
-            trial = plane + length[:, None] * step
-            trial_value, trial_jacobian = distort_brown_conrady(trial, coefficients)
-            trial_error = np.linalg.norm(trial_value - distorted, axis=1)
-            worse = trial_error > error
-            if not worse.any():
-                break
-            length[worse] *= 0.5
-        keep = trial_error <= error
-        plane[keep], value[keep], jacobian[keep] = trial[keep], trial_value[keep], trial_jacobian[keep]
-        improvement = float(np.max(np.abs(step[keep]), initial=0.0))
-        error = np.where(keep, trial_error, error)
-        if improvement < _CONVERGED:
-            break
-    return plane
+def within_fold_brown_conrady(plane: Array, jacobian: Array, coefficients: Array) -> npt.NDArray[np.bool_]:
+    """Tell which (N, 2) undistorted points lie where the model is one to one; NaN does not.
 
-
-def distorted_angle(theta: Array, coefficients: Array) -> tuple[Array, Array]:
-    """Return theta_d and d theta_d / d theta of the Kannala-Brandt polynomial k1 k2 k3 k4.
-
-    Reference:
-        Kannala & Brandt 2006, eq. 6.
+    The determinant alone would not do: it is positive again beyond a second turn of the polynomial.
     """
-    k1, k2, k3, k4 = coefficients
-    t2 = theta * theta
-    value = theta * (1 + t2 * (k1 + t2 * (k2 + t2 * (k3 + t2 * k4))))
-    slope = 1 + t2 * (3 * k1 + t2 * (5 * k2 + t2 * (7 * k3 + t2 * 9 * k4)))
-    return value, slope
+    determinant = jacobian[:, 0, 0] * jacobian[:, 1, 1] - jacobian[:, 0, 1] ** 2
+    within = (plane**2).sum(axis=1) < fold_radius(coefficients) ** 2
+    return np.asarray(within & (determinant > 0))
 
 
-def undistorted_angle(theta_d: Array, coefficients: Array) -> Array:
-    """Invert ``distorted_angle`` by Newton steps, kept inside 0 to pi."""
-    theta = np.clip(theta_d, 0.0, np.pi)
+def undistort_brown_conrady(distorted: Array, coefficients: Array) -> Array:
+    """Invert ``distort_brown_conrady``: (N, 2) to (N, 2), NaN where no point within the fold answers.
+
+    The radial polynomial is inverted from a table; Newton steps on what has not converged do the rest.
+    """
+    plane = _radial_guess(distorted, coefficients)
+    tolerance = np.maximum(1.0, np.abs(distorted).max(axis=1, initial=0.0))
+    active = np.flatnonzero(np.isfinite(plane).all(axis=1))
+    limit = fold_radius(coefficients)
     for _ in range(_NEWTON_STEPS):
-        value, slope = distorted_angle(theta, coefficients)
-        step = (theta_d - value) / np.where(np.abs(slope) < 1e-6, 1e-6, slope)
-        theta = np.clip(theta + np.clip(step, -0.3, 0.3), 0.0, np.pi)
-        if float(np.max(np.abs(step), initial=0.0)) < _CONVERGED:
+        if not active.size:
             break
-    return theta
+        value, jacobian = distort_brown_conrady(plane[active], coefficients)
+        error = distorted[active] - value
+        todo = np.abs(error).max(axis=1) > _CONVERGED * tolerance[active]
+        active = active[todo]
+        plane[active] = _clamped(plane[active] + _solve_2x2(jacobian[todo], error[todo]), limit)
+    value, jacobian = distort_brown_conrady(plane, coefficients)
+    residual = np.abs(distorted - value).max(axis=1, initial=0.0)
+    good = residual <= _ACCEPTED * tolerance
+    good &= within_fold_brown_conrady(plane, jacobian, coefficients)
+    return np.where(good[:, None], plane, np.nan)
+
+
+def fold_radius(coefficients: Array) -> float:
+    """Return the undistorted radius at which k1 k2 p1 p2 k3 turns back; infinite if it never does."""
+    k1, k2, _, _, k3 = (float(each) for each in coefficients)
+    return first_turn((7 * k3, 5 * k2, 3 * k1, 1.0))
+
+
+def _radial_guess(distorted: Array, coefficients: Array) -> Array:
+    """Invert the radial part alone, by a table up to the fold; NaN for what lies out of reach beyond it."""
+    k1, k2, p1, p2, k3 = (float(each) for each in coefficients)
+    radius_d = np.hypot(distorted[:, 0], distorted[:, 1])
+    top = fold_radius(coefficients)
+    reach = np.inf
+    if np.isfinite(top):
+        reach = _radial(np.array([top]), k1, k2, k3)[0] + 3 * (abs(p1) + abs(p2)) * top**2
+    else:
+        top = 1.0
+        farthest = float(np.max(radius_d, initial=0.0, where=np.isfinite(radius_d)))
+        while _radial(np.array([top]), k1, k2, k3)[0] < farthest + 0.1:
+            top *= 2.0
+    table, table_d = _radial_table(k1, k2, k3, top)
+    radius = np.interp(radius_d, table_d, table)
+    radius[radius_d > reach] = np.nan
+    return np.asarray(distorted * (radius / np.maximum(radius_d, 1e-300))[:, None])
+
+
+@lru_cache(maxsize=64)
+def _radial_table(k1: float, k2: float, k3: float, top: float) -> tuple[Array, Array]:
+    table = np.linspace(0.0, top, _TABLE_SIZE)
+    return table, _radial(table, k1, k2, k3)
+
+
+def _radial(radius: Array, k1: float, k2: float, k3: float) -> Array:
+    r2 = radius * radius
+    return np.asarray(radius * (1 + r2 * (k1 + r2 * (k2 + r2 * k3))))
+
+
+def _solve_2x2(matrix: Array, vector: Array) -> Array:
+    """Solve (N, 2, 2) symmetric systems; a nearly singular one takes a bounded step."""
+    a, b, d = matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 1]
+    determinant = a * d - b * b
+    determinant = np.where(np.abs(determinant) < 1e-12, 1e-12, determinant)
+    x, y = vector[:, 0], vector[:, 1]
+    step = np.stack([d * x - b * y, a * y - b * x], -1) / determinant[:, None]
+    return np.asarray(step / np.maximum(1.0, np.abs(step).max(axis=1, initial=0.0) / 0.5)[:, None])
+
+
+def _clamped(plane: Array, limit: float) -> Array:
+    """Pull (N, 2) points back to the disk of a radius."""
+    if not np.isfinite(limit):
+        return plane
+    radius = np.hypot(plane[:, 0], plane[:, 1])
+    return np.asarray(plane * np.minimum(1.0, limit / np.maximum(radius, 1e-300))[:, None])

@@ -28,7 +28,7 @@ def _left_jacobian(omega: Array) -> Array:
     cross = skew(omega)
     if angle < 1e-5:
         return np.eye(3) + 0.5 * cross + cross @ cross / 6.0
-    a = (1.0 - np.cos(angle)) / angle**2
+    a = 0.5 * (np.sin(0.5 * angle) / (0.5 * angle)) ** 2  # (1 - cos) / angle^2 without its cancellation
     b = (angle - np.sin(angle)) / angle**3
     return np.asarray(np.eye(3) + a * cross + b * cross @ cross)
 
