@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Make .venv with everything that rigtrue needs, and see that this machine can render.
+#   ./setup.sh            Python packages and off-screen OpenGL
+#   ./setup.sh browser    a Chromium for the test of the report
+# System packages come by apt where this user may install them; elsewhere the exact command is printed.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+say() { echo "setup: $*" >&2; }
+
+apt_install() {
+    local install="apt-get install -y --no-install-recommends $*"
+    if ! command -v apt-get >/dev/null; then
+        say "install what Debian calls '$*' with this system's package manager, then run this again"
+        exit 1
+    elif [ "$(id -u)" = 0 ]; then
+        say "$install"
+        apt-get update -qq && DEBIAN_FRONTEND=noninteractive $install -qq >/dev/null </dev/null
+    elif sudo -n true 2>/dev/null; then
+        say "sudo $install"
+        sudo -n apt-get update -qq && sudo -n DEBIAN_FRONTEND=noninteractive $install -qq >/dev/null </dev/null
+    else
+        say "this needs system packages that only an administrator may install; run this, then try again:"
+        echo "    sudo apt-get update && sudo $install" >&2
+        exit 1
+    fi
+}
+
+find_python() {
+    local name
+    for name in python3 python3.13 python3.12 python3.11; do
+        if "$name" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+            echo "$name"
+            return
+        fi
+    done
+    say "no Python 3.11 or newer on the PATH, found: $(python3 --version 2>&1 || true)"
+    exit 1
+}
+
+make_venv() {
+    if .venv/bin/python -m pip --version >/dev/null 2>&1; then return; fi
+    local python version
+    python=$(find_python)
+    version=$("$python" -c 'import sys; print("python%d.%d" % sys.version_info[:2])')
+    # Debian splits the standard library: venv needs ensurepip, which is a package of its own there.
+    "$python" -c 'import ensurepip, venv' 2>/dev/null || apt_install "$version-venv"
+    "$python" -m venv --clear .venv
+}
+
+install_packages() {
+    say "installing Python packages, a minute or two"
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes -r requirements.lock
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+}
+
+can_render() {
+    .venv/bin/python -c 'import sys; from sim.gl import probe_gl; sys.exit(probe_gl().problem is not None)'
+}
+
+see_that_it_renders() {
+    can_render || apt_install libegl1 libgl1 libgl1-mesa-dri
+    can_render || { .venv/bin/rigtrue doctor >&2 || true; exit 1; }
+}
+
+find_browser() {
+    command -v chromium || command -v chromium-browser || command -v google-chrome
+}
+
+install_browser() {
+    if find_browser >/dev/null; then return; fi
+    local package=chromium
+    if grep -qs '^ID=ubuntu' /etc/os-release; then package=chromium-browser; fi
+    apt_install "$package"
+    find_browser >/dev/null || { say "there is still no chromium on the PATH"; exit 1; }
+}
+
+case "${1:-}" in
+    "") make_venv; install_packages; see_that_it_renders; say "ready" ;;
+    browser) install_browser ;;
+    *) say "got '$1', wanted nothing or 'browser'"; exit 2 ;;
+esac
