@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, Self
+
+from pydantic import model_validator
 
 from estimator.bundle import FrameBundle
 from estimator.config import Config
@@ -16,6 +18,10 @@ from sim.street import StreetConfig
 from sim.weather import WeatherConfig
 
 
+WORLD_VERSION = 1  # raise it when the same settings and seed give other images or another truth
+STREET_MARGIN_M = 5.0  # of lane beyond the drive's end
+
+
 class WorldConfig(Config):
     """Everything besides rig and seed that changes a recording."""
 
@@ -25,6 +31,16 @@ class WorldConfig(Config):
     weather: WeatherConfig = WeatherConfig()
     sensor: SensorConfig = SensorConfig()
     renderer: Literal["classic"] = "classic"
+
+    @model_validator(mode="after")
+    def _street_is_long_enough(self) -> Self:
+        needed_m = self.drive.distance_m + STREET_MARGIN_M
+        if self.street.length_m < needed_m:
+            raise ValueError(
+                f"street.length_m is {self.street.length_m:g}; "
+                f"drive.distance_m {self.drive.distance_m:g} needs at least {needed_m:g}"
+            )
+        return self
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,92 @@
+"""Choose the off-screen OpenGL of this process: EGL first, OSMesa where EGL is missing.
+
+MuJoCo and PyOpenGL read their choice from the environment when they are first imported, so the package ``sim``
+calls ``choose_backend`` before anything else. ``probe_gl`` tries a choice in a process of its own: a broken
+driver may crash it without harm.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+
+from estimator.errors import InputError
+
+LIBRARY = {"egl": "libEGL.so.1", "osmesa": "libOSMesa.so.8"}
+REMEDY = {
+    "egl": "apt-get install libegl1 libgl1 libgl1-mesa-dri",
+    "osmesa": "apt-get install libosmesa6",
+}
+_PROBE_TIMEOUT_S = 60
+_PROBE = """
+import mujoco
+from OpenGL import GL
+model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
+with mujoco.Renderer(model, 8, 8) as renderer:
+    renderer.update_scene(mujoco.MjData(model))
+    renderer.render()
+    print("renderer:", GL.glGetString(GL.GL_RENDERER).decode())
+"""
+
+
+@dataclass(frozen=True)
+class GlProbe:
+    """What became of rendering one image.
+
+    Attributes:
+        backend: ``egl`` or ``osmesa``.
+        renderer_name: As the driver calls itself, for example ``llvmpipe (LLVM 15.0.6, 256 bits)``.
+        problem: One line saying why nothing was rendered; None when all is well.
+        remedy: The command that would mend it; None when all is well.
+    """
+
+    backend: str
+    renderer_name: str | None
+    problem: str | None
+    remedy: str | None
+
+
+def choose_backend() -> str:
+    """Set ``MUJOCO_GL`` and ``PYOPENGL_PLATFORM`` unless the user already chose; return the backend."""
+    backend = os.environ.get("MUJOCO_GL", "").lower()
+    if backend not in LIBRARY:
+        backend = "osmesa" if not _loads(LIBRARY["egl"]) and _loads(LIBRARY["osmesa"]) else "egl"
+    os.environ["MUJOCO_GL"] = os.environ["PYOPENGL_PLATFORM"] = backend
+    return backend
+
+
+def no_gl_error(cause: Exception) -> InputError:
+    """Say in one line that this machine cannot render, why, and what to install."""
+    backend = os.environ.get("MUJOCO_GL", "egl")
+    reason = " ".join(str(cause).split()) or type(cause).__name__
+    return InputError(
+        f"no off-screen OpenGL on this machine ({backend}: {reason}); wanted EGL or OSMesa: "
+        f"{REMEDY['egl']} (or {REMEDY['osmesa']})"
+    )
+
+
+def probe_gl() -> GlProbe:
+    """Render one tiny image in another process with the backend chosen for this one."""
+    backend = choose_backend()
+    try:
+        probe = subprocess.run(
+            [sys.executable, "-c", _PROBE], capture_output=True, text=True, timeout=_PROBE_TIMEOUT_S
+        )
+    except subprocess.TimeoutExpired:
+        return GlProbe(backend, None, f"rendering hung for {_PROBE_TIMEOUT_S} s", REMEDY[backend])
+    for line in probe.stdout.splitlines():
+        if line.startswith("renderer: ") and probe.returncode == 0:
+            return GlProbe(backend, line.removeprefix("renderer: "), None, None)
+    last = (probe.stderr.strip().splitlines() or [f"exit code {probe.returncode}"])[-1]
+    return GlProbe(backend, None, last, REMEDY[backend])
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True

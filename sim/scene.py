@@ -1,0 +1,73 @@
+"""One compiled world: street, light, ground, car and its cameras at their true poses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import mujoco
+
+from estimator.rig import Rig
+from estimator.se3 import Array
+from sim.cameras import write_cameras
+from sim.car import CarConfig, write_car, write_ground
+from sim.lens import Lens, make_lens
+from sim.miscalibration import miscalibrate
+from sim.render import write_visual_settings
+from sim.seeds import rng_for
+from sim.sky import write_sky
+from sim.street import build_street
+from sim.world import WorldConfig
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What simulating needs besides the settings.
+
+    Attributes:
+        model: Compiled; one camera element a camera of the rig.
+        lenses: By camera.
+        path_m: (N, 2) world polyline the car drives.
+        car: The car's sizes.
+    """
+
+    model: mujoco.MjModel
+    lenses: Mapping[str, Lens]
+    path_m: Array
+    car: CarConfig
+
+
+def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
+    """Build the world of a seed; only its drive remains to be done."""
+    street = build_street(config.street, rng_for(seed, "street"))
+
+    def write_scenery(spec: mujoco.MjSpec) -> None:
+        street.write_into(spec)
+        write_sky(spec, config.weather)
+
+    ego_from_cams = miscalibrate(nominal, config.miscalibration, seed)
+    return assemble_scene(write_scenery, street.centerline_m, nominal.with_extrinsics(ego_from_cams))
+
+
+def assemble_scene(write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array, true_rig: Rig) -> Scene:
+    """Compile the car with its true rig into whatever ``write_scenery`` adds around it."""
+    lenses = {name: make_lens(mounted.camera) for name, mounted in true_rig.cameras.items()}
+    sources = {name: lens.source for name, lens in lenses.items()}
+    car = CarConfig()
+    spec = physics_spec()
+    write_scenery(spec)
+    write_ground(spec)
+    chassis = write_car(spec, car)
+    ego_from_cams = {name: mounted.ego_from_cam for name, mounted in true_rig.cameras.items()}
+    write_cameras(chassis, sources, ego_from_cams)
+    write_visual_settings(spec, sources)
+    return Scene(spec.compile(), lenses, path_m, car)
+
+
+def physics_spec() -> mujoco.MjSpec:
+    """Return an empty spec with the solver settings that a car on stiff tyres needs."""
+    spec = mujoco.MjSpec()
+    spec.compiler.degree = False
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    return spec
