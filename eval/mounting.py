@@ -18,15 +18,21 @@ _DEG_PER_M = 30.0
 _FAN_POINTS = 9
 
 
-def roll_pitch_yaw_deg(ego_from_cam: SE3) -> tuple[float, float, float]:
+def roll_pitch_yaw_deg(ego_from_cam: SE3, near: SE3) -> tuple[float, float, float]:
     """Return the angles that turn the ego axes into the camera's body axes.
 
-    Yaw about z (left positive), then pitch about y (down positive), then roll about x: ISO 8855.
+    Yaw about z (left positive), then pitch about y (down positive), then roll about x: ISO 8855. Full turns
+    are chosen so that the angles lie near those of another pose: 180.1 deg beside 179.9, not -179.9.
     """
-    yaw, pitch, roll = Rotation.from_matrix(ego_from_cam.rotation @ _CAM_FROM_BODY).as_euler(
-        "ZYX", degrees=True
-    )
+    angles, wanted = _angles_deg(ego_from_cam), _angles_deg(near)
+    roll, pitch, yaw = angles - 360 * np.round((angles - wanted) / 360)
     return float(roll), float(pitch), float(yaw)
+
+
+def _angles_deg(ego_from_cam: SE3) -> Array:
+    """Return roll, pitch, yaw, each within half a turn of zero."""
+    body = Rotation.from_matrix(ego_from_cam.rotation @ _CAM_FROM_BODY)
+    return np.asarray(body.as_euler("ZYX", degrees=True)[::-1])
 
 
 def car_rows(rig: Rig) -> tuple[list[str], list[str]]:

@@ -32,14 +32,14 @@ def _camera_figure(
     name = "distance from nominal" if series["against"] == "nominal" else "true error"
     for row, (key, stated, title) in enumerate(_ROWS, start=1):
         decades = ranges[key]
-        for trace in _traces(x, curves[key], curves[stated], 10 ** decades[0], name, row == 1):
+        for trace in _traces(x, curves[key], curves[stated], 10 ** decades[0], name):
             figure.add_trace(trace, row=row, col=1)
         figure.update_yaxes(type="log", title_text=title, range=decades, dtick=1, row=row, col=1)
     figure.update_xaxes(title_text=x_title, row=2, col=1)
     if curves["converged_index"] is not None:
         at = x[curves["converged_index"]]
         figure.add_vline(x=at, line={"color": GREEN, "width": 1.5, "dash": "dot"})
-    return styled(figure, 340)
+    return styled(figure, 310, legend=False)
 
 
 def x_axis(series: Mapping[str, Any]) -> tuple[Sequence[float], str]:
@@ -50,14 +50,14 @@ def x_axis(series: Mapping[str, Any]) -> tuple[Sequence[float], str]:
 
 
 def _traces(
-    x: Sequence[float], values: Sequence[Any], stated: Sequence[Any], floor: float, name: str, legend: bool
+    x: Sequence[float], values: Sequence[Any], stated: Sequence[Any], floor: float, name: str
 ) -> list[go.Scatter]:
     # The band is drawn from the floor of the axis: zero has no place on a log axis.
     edge = [None if value is None else max(value, floor) for value in stated]
     shown = [None if value is None else max(value, floor) for value in values]
-    common = {"x": list(x), "mode": "lines", "showlegend": legend}
+    common = {"x": list(x), "mode": "lines"}
     return [
-        go.Scatter(**common | {"showlegend": False}, y=[floor] * len(x), line={"width": 0}, hoverinfo="skip"),
+        go.Scatter(**common, y=[floor] * len(x), line={"width": 0}, hoverinfo="skip"),
         go.Scatter(
             **common,
             y=edge,

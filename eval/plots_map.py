@@ -9,7 +9,7 @@ import numpy as np
 import plotly.graph_objects as go
 
 from estimator.se3 import Array
-from eval.plots_style import COLOUR_OF, DASH_OF, VERMILLION, faded, label, styled
+from eval.plots_style import LINE_OF, VERMILLION, faded, label, styled
 
 _FAN_IN_MAP_SHARE = 0.07
 _KINDS = ("nominal", "true", "estimated")
@@ -23,10 +23,9 @@ def path_figure(data: Mapping[str, Any]) -> go.Figure:
         path = data["paths"][kind]
         if path is None or not path["x_m"]:
             continue
-        line = {"color": COLOUR_OF[kind], "dash": DASH_OF[kind], "width": 3 if kind == "true" else 2}
-        figure.add_scatter(x=path["x_m"], y=path["y_m"], mode="lines", name=f"{kind} path", line=line)
+        figure.add_scatter(x=path["x_m"], y=path["y_m"], mode="lines", name=kind, line=LINE_OF[kind])
         fans = [_in_world(fan, place, size_m) for place in path["places"] for fan in _fans(data, kind)]
-        _add_outlines(figure, fans, kind, f"{kind} views")
+        _add_outlines(figure, fans, kind, legend=False)
     figure.update_xaxes(title_text="x (m)")
     figure.update_yaxes(title_text="y (m)", scaleanchor="x", scaleratio=1)
     return styled(figure, 460).update_layout(hovermode="closest")
@@ -39,13 +38,11 @@ def rig_figure(data: Mapping[str, Any]) -> go.Figure:
         # Turned so that the car points up: page x is ego -y, page y is ego x.
         fans = [np.column_stack([-fan[:, 1], fan[:, 0]]) for fan in _fans(data, kind)]
         if fans:
-            _add_outlines(figure, fans, kind, kind)
-    for name, camera in data["cameras"].items():
-        apex, *arc = camera["poses"]["nominal"]["fan_m"]
-        x, y = np.mean(arc, axis=0) * 0.75 + np.array(apex) * 0.25
-        figure.add_annotation(x=-y, y=x, text=label(name), showarrow=False, bgcolor="rgba(255,255,255,0.8)")
-    figure.update_xaxes(title_text="right of the rear axle's middle: −y (m)")
-    figure.update_yaxes(title_text="ahead of the rear axle: x (m)", scaleanchor="x", scaleratio=1)
+            _add_outlines(figure, fans, kind, legend=True)
+    for name, (x, y) in _label_places(data).items():
+        figure.add_annotation(x=x, y=y, text=label(name), showarrow=False, bgcolor="rgba(255,255,255,0.8)")
+    figure.update_xaxes(title_text="to the right, −y (m)")
+    figure.update_yaxes(title_text="ahead, x (m)", scaleanchor="x", scaleratio=1)
     return styled(figure, 560).update_layout(hovermode=False)
 
 
@@ -59,6 +56,19 @@ def apart_figure(paths: Mapping[str, Any]) -> go.Figure:
     figure.update_xaxes(title_text="distance driven (m)")
     figure.update_yaxes(title_text="paths apart (cm)", rangemode="tozero")
     return styled(figure, 220, legend=False)
+
+
+def _label_places(data: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+    """Return a place on the page for each camera's name, inside its fan, moved up where two would overlap."""
+    places: dict[str, tuple[float, float]] = {}
+    for name, camera in data["cameras"].items():
+        apex, *arc = camera["poses"]["nominal"]["fan_m"]
+        ahead, left = np.mean(arc, axis=0) * 0.75 + np.array(apex) * 0.25
+        x, y = -float(left), float(ahead)
+        while any(abs(x - other_x) < 1.1 and abs(y - other_y) < 0.24 for other_x, other_y in places.values()):
+            y += 0.25
+        places[name] = x, y
+    return places
 
 
 def _fans(data: Mapping[str, Any], kind: str) -> list[Array]:
@@ -81,10 +91,11 @@ def _fan_size_m(paths: Mapping[str, Any]) -> float:
     return max(1.0, _FAN_IN_MAP_SHARE * max(spans, default=1.0))
 
 
-def _add_outlines(figure: go.Figure, outlines: list[Array], kind: str, name: str) -> None:
+def _add_outlines(figure: go.Figure, outlines: list[Array], kind: str, *, legend: bool) -> None:
     """Add outlines as one trace, a gap between them."""
     gap = np.full((1, 2), np.nan)
     points = np.vstack([part for outline in outlines for part in (outline, gap)])
     x, y = ([None if np.isnan(value) else round(float(value), 4) for value in axis] for axis in points.T)
-    line = {"color": COLOUR_OF[kind], "dash": DASH_OF[kind], "width": 1.6}
-    figure.add_scatter(x=x, y=y, mode="lines", name=name, line=line, hoverinfo="skip")
+    figure.add_scatter(
+        x=x, y=y, mode="lines", name=kind, line=LINE_OF[kind], hoverinfo="skip", showlegend=legend
+    )

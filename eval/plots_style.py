@@ -11,8 +11,6 @@ import plotly.graph_objects as go
 BLUE, VERMILLION, GREEN, ORANGE = "#0072B2", "#D55E00", "#009E73", "#E69F00"
 SKY, PURPLE, YELLOW, GREY = "#56B4E9", "#CC79A7", "#F0E442", "#6B7280"
 CYCLE = (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILLION, YELLOW, GREY)
-COLOUR_OF = {"true": BLUE, "estimated": VERMILLION, "nominal": GREY}
-DASH_OF = {"true": "solid", "estimated": "dash", "nominal": "dot"}
 _INK, _GRID = "#1f2933", "#e3e7ec"
 
 
@@ -20,6 +18,14 @@ def faded(colour: str, alpha: float) -> str:
     """Return a palette colour with transparency."""
     red, green, blue = (int(colour[start : start + 2], 16) for start in (1, 3, 5))
     return f"rgba({red},{green},{blue},{alpha})"
+
+
+# The truth lies wide and pale under the thin estimate, so that both are seen where they agree.
+LINE_OF: dict[str, dict[str, Any]] = {
+    "true": {"color": faded(BLUE, 0.45), "width": 5},
+    "estimated": {"color": VERMILLION, "width": 1.6},
+    "nominal": {"color": GREY, "width": 1.6, "dash": "dot"},
+}
 
 
 def styled(figure: go.Figure, height_px: int, *, legend: bool = True) -> go.Figure:

@@ -84,7 +84,7 @@ def _evidence(estimate: CameraEstimate | None, true: SE3 | None, nominal: SE3) -
 
 def _pose(pose: SE3, name: str, rig: Rig) -> dict[str, list[float]]:
     return {
-        "roll_pitch_yaw_deg": list(roll_pitch_yaw_deg(pose)),
+        "roll_pitch_yaw_deg": list(roll_pitch_yaw_deg(pose, rig[name].ego_from_cam)),
         "translation_mm": [1000 * float(x) for x in pose.translation],
         "fan_m": np.round(view_fan_ego(rig[name].camera, pose), 4).tolist(),
     }

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from estimator.estimate import Status
+from estimator.estimate import CameraEstimate, Status
 from estimator.se3 import SE3
 from eval.collect import LogEntry, RunLog
-from eval.errors import pose_error, stated_error95
+from eval.errors import PoseError, pose_error, stated_error95
 from eval.paths import driven_m
 from eval.truth import TruthTrack
 
@@ -35,13 +35,8 @@ def error_series(log: RunLog, truth: TruthTrack | None) -> dict[str, Any]:
 def _camera_series(
     name: str, entries: list[LogEntry], log: RunLog, truth: TruthTrack | None
 ) -> dict[str, list[float | None] | int | None]:
-    found = [(entry, entry.cameras.get(name)) for entry in entries]
-    errors = [
-        None if camera is None else pose_error(camera.ego_from_cam, against)
-        for entry, camera in found
-        for against in [_compared_with(name, entry.stamp_ns, log, truth)]
-        if against is not None
-    ]
+    found = [(entry.stamp_ns, entry.cameras.get(name)) for entry in entries]
+    errors = [_distance(camera, _compared_with(name, stamp, log, truth)) for stamp, camera in found]
     stated = [None if camera is None else stated_error95(camera.covariance) for _, camera in found]
     converged = [camera is not None and camera.status is Status.CONVERGED for _, camera in found]
     return {
@@ -51,6 +46,10 @@ def _camera_series(
         "translation95_mm": finite_list(None if error is None else error.translation_mm for error in stated),
         "converged_index": converged.index(True) if any(converged) else None,
     }
+
+
+def _distance(camera: CameraEstimate | None, against: SE3 | None) -> PoseError | None:
+    return None if camera is None or against is None else pose_error(camera.ego_from_cam, against)
 
 
 def _compared_with(name: str, stamp_ns: int, log: RunLog, truth: TruthTrack | None) -> SE3 | None:

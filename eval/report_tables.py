@@ -8,6 +8,8 @@ from typing import Any
 
 from eval.metric_keys import MetricKey
 
+_WHOLE_RUN, _AT_DISTANCES = "Whole run", "Worst and median camera after set distances"
+
 
 @dataclass(frozen=True)
 class MetricRow:
@@ -48,7 +50,7 @@ def metric_groups(
             metric.get("reason"),
         )
         groups.setdefault(_group(key), []).append(row)
-    return sorted(groups.items(), key=lambda item: item[0] != "Whole run")
+    return sorted(groups.items(), key=lambda item: (item[0] != _WHOLE_RUN, item[0] != _AT_DISTANCES))
 
 
 def number_text(value: float | None) -> str:
@@ -80,4 +82,8 @@ def stage_rows(data: Mapping[str, Any]) -> list[StageRow]:
 def _group(key: str) -> str:
     family, _, rest = key.partition(".")
     camera = rest.partition(".")[0]
-    return f"Camera {camera}" if family == "extrinsics" and camera not in ("worst", "median") else "Whole run"
+    if family != "extrinsics":
+        return _WHOLE_RUN
+    if camera not in ("worst", "median"):
+        return f"Camera {camera}"
+    return _AT_DISTANCES if ".at_" in rest else _WHOLE_RUN
