@@ -77,12 +77,13 @@ class Camera:
         if self.model == "kannala_brandt":
             radius = np.linalg.norm(plane, axis=1)
             theta = undistorted_angle(radius, np.array(self.distortion))
-            ratio = np.where(radius > 1e-12, np.sin(theta) / np.maximum(radius, 1e-12), 1.0)
+            ratio = np.where(radius <= 1e-12, 1.0, np.sin(theta) / np.maximum(radius, 1e-12))
             return np.column_stack([plane * ratio[:, None], np.cos(theta)])
         if self.model == "brown_conrady":
             plane = undistort_brown_conrady(plane, np.array(self.distortion))
         rays = np.column_stack([plane, np.ones(len(plane))])
-        return np.asarray(rays / np.linalg.norm(rays, axis=1, keepdims=True))
+        with np.errstate(invalid="ignore"):
+            return np.asarray(rays / np.linalg.norm(rays, axis=1, keepdims=True))
 
     def contains(self, pixels: Array, margin_px: float = 0.0) -> npt.NDArray[np.bool_]:
         """Tell which (N, 2) pixels lie inside the image, ``margin_px`` from its border; NaN is outside."""

@@ -68,11 +68,13 @@ class Recording:
                 count += 1
                 yield FrameBundle(stamp_ns, images)
         for camera, lost in undecodable.items():
-            self._warn(f"camera {camera!r}: {lost} images cannot be decoded and were left out")
+            self._warn(f"camera {camera!r}: {_images(lost)} cannot be decoded, left out")
         if bundler.late_count:
-            self._warn(f"{bundler.late_count} images came too late to be put in order and were left out")
+            self._warn(f"{_images(bundler.late_count)} came too late to be put in order, left out")
         if bundler.repeated_count:
-            self._warn(f"{bundler.repeated_count} images repeat a stamp of their camera and were left out")
+            self._warn(
+                f"{_images(bundler.repeated_count)} with a stamp its camera had already given, left out"
+            )
         if self._bag.break_reason and not self._break_told:
             self._warn_of_break(count, stamp_ns)
 
@@ -111,3 +113,7 @@ class Recording:
     def _warn(self, text: str) -> None:
         if text not in self.warnings:
             self.warnings.append(text)
+
+
+def _images(count: int) -> str:
+    return "1 image" if count == 1 else f"{count} images"

@@ -1,6 +1,6 @@
 """Small ROS 2 bags for tests: a few frames of noise images, in every variety a recording may come in.
 
-Written by ``rosbags`` alone, not by the project's recorder, so that reader and recorder cannot share a mistake.
+Written by ``rosbags`` alone, not by the recorder of ``sim``: reader and recorder cannot share a mistake.
 The messages are made in ``tests.bag_messages``.
 """
 
