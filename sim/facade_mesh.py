@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from estimator.se3 import Array
 from sim.facade_plan import Facade
 from sim.street_mesh import Mesh, merged, quads
 
-GABLE_M = 7.0  # width of the gable wall in the texture
+GABLE_M = 5.0  # width of the gable wall in the texture
 ROOF_M = 3.0  # width of the roof tiles in the texture
 
 
@@ -79,19 +81,23 @@ def _relief(facade: Facade) -> tuple[Array, Array]:
 def _reveals(x: Array, z: Array, padded: Array) -> list[list[tuple[float, float, float]]]:
     """Walls between cells of different depth; ``padded`` has a border of zero depth around the cells."""
     found: list[list[tuple[float, float, float]]] = []
-    for i in range(len(z) - 1):
-        for j in range(len(x)):
-            a, b = padded[i + 1, j], padded[i + 1, j + 1]
-            if a > b:  # the left cell stands out: its flank looks right
-                found.append([(x[j], z[i], a), (x[j], z[i], b), (x[j], z[i + 1], b), (x[j], z[i + 1], a)])
-            elif a < b:
-                found.append([(x[j], z[i], a), (x[j], z[i], b), (x[j], z[i + 1], b), (x[j], z[i + 1], a)])
-    for i in range(len(z)):
-        for j in range(len(x) - 1):
-            a, b = padded[i, j + 1], padded[i + 1, j + 1]
-            if a != b:  # below a, above b: top of the lower one or underside of the upper one
-                found.append([(x[j], z[i], a), (x[j + 1], z[i], a), (x[j + 1], z[i], b), (x[j], z[i], b)])
+    for j in range(len(x)):  # flanks: from the left cell's depth to the right one's
+        for i, k, a, b in _runs(padded[1:-1, j], padded[1:-1, j + 1]):
+            found.append([(x[j], z[i], a), (x[j], z[i], b), (x[j], z[k], b), (x[j], z[k], a)])
+    for i in range(len(z)):  # ledges: from the lower cell's depth to the upper one's
+        for j, k, a, b in _runs(padded[i, 1:-1], padded[i + 1, 1:-1]):
+            found.append([(x[j], z[i], a), (x[k], z[i], a), (x[k], z[i], b), (x[j], z[i], b)])
     return found
+
+
+def _runs(one: Array, other: Array) -> Iterator[tuple[int, int, float, float]]:
+    """Longest stretches over which two lines of cells keep the same two, different, depths."""
+    start = 0
+    for k in range(1, len(one) + 1):
+        if k == len(one) or one[k] != one[start] or other[k] != other[start]:
+            if one[start] != other[start]:
+                yield start, k, float(one[start]), float(other[start])
+            start = k
 
 
 def _walls_and_roof(facade: Facade, front: Array, back: Array, ridge_m: float) -> Mesh:

@@ -30,6 +30,7 @@ class Lot:
         side: +1 left of its street, -1 right.
         span_m: Its interval of s.
         path: The street it stands on.
+        front_line_m: d of the facade line.
     """
 
     front_m: Array
@@ -38,6 +39,7 @@ class Lot:
     side: int
     span_m: tuple[float, float]
     path: Path
+    front_line_m: float
 
     @property
     def outline_m(self) -> Array:
@@ -99,14 +101,14 @@ def _lot(path: Path, side: int, a: float, b: float, front_m: float, setback_m: f
     left, right = (a, b) if side > 0 else (b, a)
     front = path.point_m(np.array([left, right]), near)
     back = path.point_m(np.array([left, right]), far)
-    return Lot(front, back, setback_m, side, (a, b), path)
+    return Lot(front, back, setback_m, side, (a, b), path, front_m)
 
 
 def _closing(path: Path, s_m: float, ahead: int, left_m: float, right_m: float) -> Lot:
     """A wide house across the end of a street, facing back along it."""
     d = np.array([left_m + 4.0, right_m - 4.0])[:: 1 if ahead > 0 else -1]
     near, far = s_m + 1.0 * ahead, s_m + (1.0 + DEPTH_M) * ahead
-    return Lot(path.point_m(near, d), path.point_m(far, d), 0.0, 0, (near, far), path)
+    return Lot(path.point_m(near, d), path.point_m(far, d), 0.0, 0, (near, far), path, 0.0)
 
 
 def build_houses(lots: list[Lot], rng: np.random.Generator) -> Scenery:

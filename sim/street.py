@@ -11,6 +11,7 @@ from pydantic import Field
 
 from estimator.config import Config
 from estimator.se3 import Array
+from sim.furnishing import furnish
 from sim.ground import build_ground
 from sim.houses import build_houses, draw_lots
 from sim.scenery import Scenery, write_scenery
@@ -45,7 +46,8 @@ class Street:
 
 def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
     """Draw and build a street; the same generator state gives the same street."""
-    plan, ground, lots, houses = rng.spawn(4)
+    plan, ground, plots, houses, things = rng.spawn(5)
     layout = draw_layout(config.length_m, plan)
-    scenery = build_ground(layout, ground) + build_houses(draw_lots(layout, lots), houses)
+    lots = draw_lots(layout, plots)
+    scenery = build_ground(layout, ground) + build_houses(lots, houses) + furnish(layout, lots, things)
     return Street(lane_centerline_m(layout), layout, scenery)

@@ -28,15 +28,16 @@ def fractal(
         (height, width) float32 with zero mean and unit standard deviation.
     """
     height, width = shape
-    total = np.zeros(shape, np.float32)
+    # Coarse grids are summed at their own resolution and enlarged together, which costs little.
+    total = np.zeros((2, 2), np.float32)
     for octave in range(octaves):
         cell_y, cell_x = (max(1.0, cell / 2**octave) for cell in cell_px)
-        grid = rng.standard_normal((int(height / cell_y) + 4, int(width / cell_x) + 4)).astype(np.float32)
-        scaled = cv2.resize(grid, None, fx=cell_x, fy=cell_y, interpolation=cv2.INTER_CUBIC)
-        y, x = int(rng.uniform(0, cell_y)), int(rng.uniform(0, cell_x))
-        total += gain**octave * scaled[y : y + height, x : x + width]
+        rows, columns = int(height / cell_y) + 2, int(width / cell_x) + 2
+        total = cv2.resize(total, (columns, rows), interpolation=cv2.INTER_LINEAR)
+        total += gain**octave * rng.standard_normal((rows, columns), dtype=np.float32)
         if cell_y <= 1.0 and cell_x <= 1.0:
             break
+    total = cv2.resize(total, (width, height), interpolation=cv2.INTER_CUBIC)
     result: Array = (total - total.mean()) / max(float(total.std()), 1e-6)
     return result
 

@@ -1,0 +1,121 @@
+"""Trees, bushes and hedges: trunks and boughs as tubes, foliage as many small leaf cards.
+
+A leaf card is an opaque kite seen from both sides. Its normals point out of the crown rather than out of the
+card, so that a crown is shaded as one lumpy body and not as confetti.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.se3 import Array
+from sim.street_mesh import Mesh, box, merged, tube
+from sim.textures_plants import BARK, LEAVES
+
+
+def tree_mesh(height_m: float, crown_m: float, rng: np.random.Generator) -> Mesh:
+    """A street tree standing at the origin.
+
+    Args:
+        height_m: Height of the crown's top.
+        crown_m: Radius of the crown.
+        rng: Source of randomness.
+    """
+    fork = 2.1 + 0.12 * height_m
+    middle = np.array([0.0, 0.0, (fork + height_m) / 2])
+    half = np.array([crown_m, crown_m, (height_m - fork) / 2 + 0.5])
+    lean = rng.normal(0, 0.09, 2)
+    heights = np.linspace(-0.1, fork + 0.6, 6)
+    wave = np.cumsum(rng.normal(0, 0.025, (6, 2)), axis=0) + np.outer(heights / fork, lean)
+    radius = 0.10 + 0.011 * height_m
+    trunk = tube(
+        np.column_stack([wave, heights]), radius * np.array([1.35, 1.0, 0.92, 0.88, 0.8, 0.6]), 8, BARK
+    )
+    lumps = _lumps(middle, half, 13, rng)
+    start = np.array([*wave[-2], heights[-2]])
+    boughs = [_bough(start, lump, 0.45 * radius, rng) for lump in lumps[:8]]
+    return merged([trunk, *boughs, _foliage(lumps, 0.42 * crown_m, 430, (0.16, 0.34), middle, rng)])
+
+
+def bush_mesh(radius_m: float, rng: np.random.Generator) -> Mesh:
+    """A bush standing at the origin."""
+    middle = np.array([0.0, 0.0, 0.6 * radius_m])
+    lumps = _lumps(middle, np.array([0.7, 0.7, 0.6]) * radius_m, 6, rng)
+    return _foliage(lumps, 0.4 * radius_m, 130, (0.1, 0.22), middle * 0.5, rng)
+
+
+def hedge_mesh(length_m: float, height_m: float, width_m: float, rng: np.random.Generator) -> Mesh:
+    """A clipped hedge along +x from the origin, with twigs that stick out."""
+    u0, v0 = rng.uniform(LEAVES[0], 0.3), rng.uniform(0, 0.4)
+    part = (u0, v0, u0 + min(length_m / 5.0, 0.68), v0 + height_m / 4.0)
+    core = box((0, -width_m / 2, 0), (length_m, width_m / 2, height_m), part)
+    count = round(40 * length_m)
+    spots = np.column_stack(
+        [
+            rng.uniform(0, length_m, count),
+            rng.choice([-0.5, 0.5], count) * width_m,
+            rng.uniform(0.1, height_m, count),
+        ]
+    )
+    spots[::3, 1], spots[::3, 2] = rng.uniform(-0.5, 0.5, len(spots[::3])) * width_m, height_m
+    out = np.column_stack([np.zeros(count), np.sign(spots[:, 1]), 0.4 * np.ones(count)])
+    return merged([core, _cards(spots, out, (0.1, 0.2), rng)])
+
+
+def _lumps(middle: Array, half: Array, count: int, rng: np.random.Generator) -> Array:
+    """Centres of leaf clusters, spread over an ellipsoid, denser near its skin; (count, 3)."""
+    direction = rng.standard_normal((count, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    result: Array = middle + direction * half * rng.uniform(0.35, 0.8, (count, 1))
+    return result
+
+
+def _bough(start: Array, end: Array, radius_m: float, rng: np.random.Generator) -> Mesh:
+    share = np.linspace(0, 1, 4)[:, None]
+    axis = start + (end - start) * share + np.array([0, 0, 0.25]) * share * (1 - share)
+    axis[1:] += rng.normal(0, 0.06, (3, 3))
+    return tube(axis, radius_m * np.array([1.0, 0.7, 0.45, 0.2]), 4, BARK)
+
+
+def _foliage(
+    lumps: Array,
+    spread_m: float,
+    count: int,
+    size_m: tuple[float, float],
+    middle: Array,
+    rng: np.random.Generator,
+) -> Mesh:
+    """Cards scattered around the clusters."""
+    offsets = rng.standard_normal((count, 3))
+    offsets *= (
+        np.minimum(1.0, 1.8 / np.linalg.norm(offsets, axis=1, keepdims=True)) * spread_m * [1.0, 1.0, 0.75]
+    )
+    spots = lumps[rng.integers(len(lumps), size=count)] + offsets
+    spots[:, 2] = np.maximum(spots[:, 2], 0.05)
+    out = (spots - middle) + 1.2 * offsets
+    return _cards(spots, out, size_m, rng)
+
+
+def _cards(spots: Array, out: Array, size_m: tuple[float, float], rng: np.random.Generator) -> Mesh:
+    """Two-sided kites at the spots; ``out`` gives the normals, (N, 3) not yet unit."""
+    count = len(spots)
+    normal = out / np.linalg.norm(out, axis=1, keepdims=True)
+    facing = normal + 0.7 * rng.standard_normal((count, 3))
+    facing /= np.linalg.norm(facing, axis=1, keepdims=True)
+    a = np.cross(facing, rng.standard_normal((count, 3)))
+    a /= np.linalg.norm(a, axis=1, keepdims=True)
+    b = np.cross(facing, a)
+    size = rng.uniform(*size_m, (count, 1))
+    corners = np.stack(
+        [spots - a * size, spots - b * size * 0.6, spots + a * size, spots + b * size * 0.6], axis=1
+    )
+    u = rng.uniform(LEAVES[0] + 0.01, 0.9, count)[:, None] + np.array([0.0, 0.04, 0.08, 0.04])
+    v = rng.uniform(0.0, 0.88, count)[:, None] + np.array([0.05, 0.0, 0.05, 0.1])
+    first = 4 * np.arange(count)[:, None]
+    front = np.vstack([first + [0, 1, 2], first + [0, 2, 3]])
+    return Mesh(
+        corners.reshape(-1, 3),
+        np.repeat(normal, 4, axis=0),
+        np.stack([u, v], axis=-1).reshape(-1, 2),
+        np.vstack([front, front[:, ::-1]]),
+    )
