@@ -12,8 +12,8 @@ import numpy as np
 
 Rgb = tuple[float, float, float]
 WALL_COLORS: tuple[Rgb, ...] = (
-    (206, 196, 172), (188, 168, 132), (214, 208, 196), (176, 138, 112), (158, 164, 160),
-    (202, 178, 138), (150, 112, 92), (222, 212, 178), (168, 178, 166), (196, 158, 134),
+    (226, 218, 196), (198, 176, 138), (236, 232, 222), (176, 132, 104), (128, 136, 134),
+    (222, 196, 150), (118, 84, 70), (240, 230, 198), (150, 164, 150), (210, 168, 140), (232, 228, 216),
 )  # fmt: skip
 BRICK_COLORS: tuple[Rgb, ...] = (
     (152, 84, 62),
@@ -68,6 +68,7 @@ class Facade:
     trim_color: Rgb
     accent_color: Rgb
     muntins: int
+    corner: bool
     panels: tuple[Panel, ...] = field(default=())
 
 
@@ -87,7 +88,7 @@ class _Rhythm:
     balcony_bay: int  # -1: none
 
 
-def draw_facade(width_m: float, rng: np.random.Generator, shops: bool = True) -> Facade:
+def draw_facade(width_m: float, rng: np.random.Generator, shops: bool = True, corner: bool = False) -> Facade:
     """Draw a facade that fills a lot of the given width."""
     rhythm = _draw_rhythm(width_m, rng)
     height = rhythm.ground_m + rhythm.floors * rhythm.floor_m + 0.5
@@ -106,6 +107,7 @@ def draw_facade(width_m: float, rng: np.random.Generator, shops: bool = True) ->
         TRIM_COLORS[rng.integers(len(TRIM_COLORS))],
         ACCENT_COLORS[rng.integers(len(ACCENT_COLORS))],
         int(rng.integers(1, 4)),
+        corner,
         tuple(panels),
     )
 
@@ -118,7 +120,7 @@ def _draw_rhythm(width_m: float, rng: np.random.Generator) -> _Rhythm:
     return _Rhythm(
         float(rng.uniform(3.1, 3.7)),
         floor_m,
-        int(rng.integers(1, 4)),
+        int(rng.choice([1, 1, 1, 2, 2, 3])),
         bays,
         min(float(rng.uniform(0.9, 1.3)), bay * (0.42 if shutters else 0.62)),
         min(float(rng.uniform(1.3, 1.9)), floor_m - 1.0),

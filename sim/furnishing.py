@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from estimator.se3 import Array
 from sim.footprint import Ground, rectangle_m
 from sim.furniture import (
     advert_column,
     bench,
+    board_fence,
     bollard,
     cabinet,
     garden_wall,
@@ -62,6 +64,10 @@ class _Street:
         if any(low < s_m < high for low, high in self._keep_clear_m):
             return False
         at, yaw = self.path.point_m(s_m, d_m), float(self.path.heading_rad(s_m)) + turn_rad
+        return self.put_at(thing, at, yaw, clearance_m)
+
+    def put_at(self, thing: _Thing, at: Array, yaw: float, clearance_m: float = 0.0) -> bool:
+        """Place a thing at a world position unless it would stand in something else."""
         outline = rectangle_m(at, yaw, *thing.size_m)
         if not self._ground.claim(outline, clearance_m):
             return False
@@ -75,12 +81,14 @@ class _Street:
 def furnish(layout: Layout, lots: list[Lot], rng: np.random.Generator) -> Scenery:
     """Furnish the main street and the side street."""
     skins, cars, main_rng, side_rng, garden_rng, models = rng.spawn(6)
-    ground = Ground([lot.outline_m for lot in lots])
+    ground = Ground([lot.outline_m for lot in lots if lot.use != "garden"])
     main = _Street("main", layout.path, layout.section, ground, _kept_clear(layout))
     start = abs(layout.section.kerb_m(layout.junction.side)) + layout.junction.corner_m + 3.0
     side = _Street("side", layout.junction.path, layout.junction.section, ground, [(-99.0, start)])
     catalogue = _Catalogue(models)
-    _plant_gardens(main, lots, garden_rng)
+    _plant_front_gardens(main, lots, garden_rng)
+    for lot in (lot for lot in lots if lot.use == "garden"):
+        _plant_garden(main if lot.path is layout.path else side, lot, catalogue, garden_rng)
     car_skins, car_things = _draw_cars(cars)
     _park(main, layout, car_things, main_rng)
     _park_side(side, car_things, side_rng)
@@ -216,9 +224,25 @@ def _scatter(street: _Street, catalogue: _Catalogue, rng: np.random.Generator) -
                 street.put(thing, s + rng.uniform(-2, 2), d, np.pi if side < 0 else 0.0)
 
 
-def _plant_gardens(street: _Street, lots: list[Lot], rng: np.random.Generator) -> None:
+def _plant_garden(street: _Street, lot: Lot, catalogue: _Catalogue, rng: np.random.Generator) -> None:
+    """A lot without a house: a tall fence along the street, trees and bushes behind it."""
+    width = float(np.linalg.norm(lot.front_m[1] - lot.front_m[0]))
+    along = lot.front_m[1] - lot.front_m[0]
+    at = lot.front_m.mean(axis=0)
+    yaw = float(np.arctan2(along[1], along[0])) - np.pi / 2
+    fence = _Thing(board_fence(width - 0.1), "furniture", (0.1, width - 0.1))
+    street.put_at(fence, at, yaw)
+    low, high = lot.span_m
+    for depth, things, count in ((1.5, catalogue.bushes, 3), (3.4, catalogue.trees, 2)):
+        for share in (np.arange(count) + 0.5) / count:
+            thing = things[rng.integers(len(things))]
+            d = lot.front_line_m + lot.side * (lot.setback_m + depth + rng.normal(0, 0.3))
+            street.put(thing, low + share * (high - low), d, rng.uniform(0, 6))
+
+
+def _plant_front_gardens(street: _Street, lots: list[Lot], rng: np.random.Generator) -> None:
     """Front gardens get a hedge, a fence or a wall with a gap to walk through, and bushes behind."""
-    for lot in (lot for lot in lots if lot.setback_m > 1.0):
+    for lot in (lot for lot in lots if lot.setback_m > 1.0 and lot.use != "garden"):
         left, right = lot.front_m
         width = float(np.linalg.norm(right - left))
         fence, depth = _border(rng)

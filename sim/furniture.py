@@ -108,6 +108,17 @@ def picket_fence(length_m: float) -> Mesh:
     return merged(parts)
 
 
+def board_fence(length_m: float) -> Mesh:
+    """A fence of upright boards, taller than a car, along y and centred on the origin."""
+    u0, v0, u1, v1 = region("wood")
+    parts = []
+    for k, y in enumerate(np.arange(-length_m / 2, length_m / 2 - 0.2, 0.25)):
+        u = u0 + (u1 - u0) * ((k * 0.37) % 0.85)
+        top = 1.8 + 0.04 * ((k * 5) % 4)
+        parts.append(box((-0.02, y, 0.0), (0.02, y + 0.235, top), (u, v0, u + 0.15 * (u1 - u0), v1)))
+    return merged(parts)
+
+
 def garden_wall(length_m: float) -> Mesh:
     """A low wall of concrete blocks along +y from the origin."""
     return box((-0.12, 0, 0), (0.12, length_m, 0.8), region("concrete"), region("concrete"))

@@ -124,7 +124,7 @@ def _pavement_piece(
 ) -> Scenery:
     """One pavement with the wall of its kerb."""
     width = float(np.max(np.abs(front_m - kerb_m)))
-    left = bool(front_m[0] > kerb_m[0])
+    left = bool(np.mean(front_m) > np.mean(kerb_m))
     canvas = pavement(float(s_m[-1] - s_m[0]), width, PAVING_TEXEL_M, not left, rng)
     u = (s_m - s_m[0]) / (s_m[-1] - s_m[0])
     share = np.abs(front_m - kerb_m) / width
@@ -141,9 +141,6 @@ def _kerb_wall(path: Path, s_m: Array, kerb_m: Array, u: Array, left: bool) -> M
     line = path.point_m(s_m, kerb_m)
     a, b = (line[1:], line[:-1]) if left else (line[:-1], line[1:])
     ua, ub = (u[1:], u[:-1]) if left else (u[:-1], u[1:])
-    if left:  # seen from the road, the left kerb runs from far to near
-        a, b, ua, ub = b, a, ub, ua
-        a, b, ua, ub = b, a, ub, ua
     low, high = np.zeros((len(a), 1)), np.full((len(a), 1), KERB_M)
     corners = np.stack(
         [np.hstack([b, low]), np.hstack([a, low]), np.hstack([a, high]), np.hstack([b, high])], axis=1

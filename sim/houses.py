@@ -17,6 +17,7 @@ from sim.textures_facade import paint_facade
 
 DEPTH_M = 5.6
 SETBACKS_M = (0.0, 0.0, 0.0, 0.35, 2.6)
+GARDEN_SHARE = 0.16
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +32,7 @@ class Lot:
         span_m: Its interval of s.
         path: The street it stands on.
         front_line_m: d of the facade line.
+        use: "house", "corner" (a house whose side wall shows) or "garden" (no house).
     """
 
     front_m: Array
@@ -40,6 +42,7 @@ class Lot:
     span_m: tuple[float, float]
     path: Path
     front_line_m: float
+    use: str = "house"
 
     @property
     def outline_m(self) -> Array:
@@ -85,7 +88,10 @@ def _row(
     for k, (a, b) in enumerate(zip(edges[:-1], edges[1:], strict=True)):
         inner = 0 < k < len(edges) - 2
         setback = float(rng.choice(SETBACKS_M)) if inner else 0.0
-        lots.append(_lot(path, side, a, b, front_m, setback))
+        garden = inner and bool(rng.random() < GARDEN_SHARE)
+        lots.append(
+            _lot(path, side, a, b, front_m, setback, "garden" if garden else "house" if inner else "corner")
+        )
     return lots
 
 
@@ -95,13 +101,13 @@ def _stretch(path: Path, s_m: float, d_m: float) -> float:
     return float(max(np.linalg.norm(ahead[1] - ahead[0]) / 6.0, 0.35))
 
 
-def _lot(path: Path, side: int, a: float, b: float, front_m: float, setback_m: float) -> Lot:
+def _lot(path: Path, side: int, a: float, b: float, front_m: float, setback_m: float, use: str) -> Lot:
     near = front_m + side * setback_m
     far = front_m + side * DEPTH_M
     left, right = (a, b) if side > 0 else (b, a)
     front = path.point_m(np.array([left, right]), near)
     back = path.point_m(np.array([left, right]), far)
-    return Lot(front, back, setback_m, side, (a, b), path, front_m)
+    return Lot(front, back, setback_m, side, (a, b), path, front_m, use)
 
 
 def _closing(path: Path, s_m: float, ahead: int, left_m: float, right_m: float) -> Lot:
@@ -115,13 +121,17 @@ def build_houses(lots: list[Lot], rng: np.random.Generator) -> Scenery:
     """One house with its own facade on every lot."""
     scenery = NOTHING
     for k, (lot, stream) in enumerate(zip(lots, rng.spawn(len(lots)), strict=True)):
-        scenery += _house(f"house_{k}", lot, stream)
+        if lot.use != "garden":
+            scenery += _house(f"house_{k}", lot, stream)
     return scenery
 
 
 def _house(name: str, lot: Lot, rng: np.random.Generator) -> Scenery:
     facade = draw_facade(
-        float(np.linalg.norm(lot.front_m[1] - lot.front_m[0])), rng, shops=lot.setback_m < 1.0
+        float(np.linalg.norm(lot.front_m[1] - lot.front_m[0])),
+        rng,
+        shops=lot.setback_m < 1.0,
+        corner=lot.use == "corner",
     )
     mesh = house_mesh(facade, lot.front_m, lot.back_m, float(rng.choice([0.05, 1.8, 2.6])))
     prop = Prop(name, mesh, name, (0.0, 0.0, KERB_M), footprint_m=lot.outline_m)

@@ -9,8 +9,6 @@ from estimator.se3 import Array
 from sim.textures_noise import fractal, smoothstep
 from sim.weather import WeatherConfig
 
-SHADOW_CENTER_M = (35.0, 0.0)
-SHADOW_RADIUS_M = 75.0
 _SUN_DISTANCE_M = 150.0
 _SKY_SEED = 11
 
@@ -19,14 +17,11 @@ def write_sky(spec: mujoco.MjSpec, weather: WeatherConfig) -> None:
     """Add sun, fill light and skybox."""
     up = _direction(weather.sun_elevation_deg, weather.sun_azimuth_deg)
     spec.visual.headlight.active = 1
-    spec.visual.headlight.ambient = [0.20, 0.21, 0.23]
+    spec.visual.headlight.ambient = [0.33, 0.34, 0.36]
     spec.visual.headlight.diffuse = [0.0, 0.0, 0.0]
     spec.visual.headlight.specular = [0.0, 0.0, 0.0]
-    spec.visual.quality.shadowsize = 4096
-    spec.visual.map.shadowclip = SHADOW_RADIUS_M
-    center = np.array([*SHADOW_CENTER_M, 0.0])
-    _add_light(spec, "sun", center + _SUN_DISTANCE_M * up, -up, (0.82, 0.78, 0.70), True)
-    _add_light(spec, "sky_above", (0, 0, 50), (0, 0, -1), (0.16, 0.17, 0.19), False)
+    _add_light(spec, "sun", _SUN_DISTANCE_M * up, -up, (1.15, 1.09, 0.99), True)
+    _add_light(spec, "sky_above", (0, 0, 50), (0, 0, -1), (0.14, 0.15, 0.17), False)
     away = np.array([-up[0], -up[1], 0.35])
     _add_light(spec, "sky_opposite", (0, 0, 50), -away / np.linalg.norm(away), (0.16, 0.17, 0.18), False)
     faces = _sky_faces(up)
@@ -80,7 +75,7 @@ def _sky_faces(sun_up: Array, size: int = 512) -> Array:
 def _sky_color(ray: Array, noise: Array) -> Array:
     """Haze at the horizon, blue above, clouds on a flat ceiling."""
     rise = np.clip(ray[..., 1], 0.0, 1.0)[..., None]
-    haze, zenith = np.array([222.0, 224.0, 226.0]), np.array([112.0, 148.0, 196.0])
+    haze, zenith = np.array([238.0, 239.0, 240.0]), np.array([128.0, 164.0, 210.0])
     color = haze + (zenith - haze) * rise**0.55
     height = np.maximum(ray[..., 1], 0.05)
     px = ((ray[..., 0] / height * 0.05 + 0.5) % 1.0) * (noise.shape[1] - 1)

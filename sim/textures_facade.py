@@ -24,13 +24,26 @@ def paint_facade(facade: Facade, rng: np.random.Generator) -> Array:
     )
     _WALLS[facade.wall](canvas, facade, rng)
     _age(canvas, facade, rng)
-    for panel in facade.panels:
+    for panel in (*facade.panels, *_gable_windows(facade)):
         _cast_shade(canvas, facade, panel)
         PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
     _scribble(canvas, facade, rng)
     _tile_roof(canvas, facade, rng)
-    canvas.shade(0.05 * fractal(rng, canvas.shape, canvas.cells(0.3), 4, 0.9))
+    canvas.shade(0.03 * fractal(rng, canvas.shape, canvas.cells(0.3), 3, 0.8))
     return canvas.image()
+
+
+def _gable_windows(facade: Facade) -> list[Panel]:
+    """Plain windows on the side wall of a corner house; painted only."""
+    if not facade.corner:
+        return []
+    windows = []
+    for z in np.arange(1.2, facade.height_m - 2.2, 2.9):
+        for x in (0.7, 2.9):
+            left = facade.width_m + x
+            windows.append(Panel(left - 0.1, left + 1.2, z - 0.1, z + 1.6, 0.04, "trim"))
+            windows.append(Panel(left, left + 1.1, z, z + 1.5, 0.0, "window"))
+    return windows
 
 
 def _flipped(facade: Facade, panel: Panel) -> Panel:
@@ -49,7 +62,7 @@ def _brick(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
 
 
 def _plaster(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
-    canvas.shade(0.05 * fractal(rng, canvas.shape, canvas.cells(0.25), 5, 0.9))
+    canvas.shade(0.03 * fractal(rng, canvas.shape, canvas.cells(0.25), 4, 0.8))
     for _ in range(round(facade.width_m * facade.height_m / 14)):
         x, y = rng.uniform(0, facade.width_m + GABLE_M), facade.height_m - abs(rng.normal(0, 2.0))
         outline = rng.uniform(0.2, 0.7) * (1 + 0.35 * rng.standard_normal((14, 1)))
@@ -84,7 +97,7 @@ _WALLS: dict[str, Callable[[Canvas, Facade, np.random.Generator], None]] = {
 def _age(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     """Blotches, rain streaks, splashed and sooty feet, cracks."""
     shape = canvas.shape
-    blotches = fractal(rng, shape, canvas.cells(1.6), 7, 0.72)
+    blotches = fractal(rng, shape, canvas.cells(1.6), 5, 0.6)
     streaks = fractal(rng, shape, (canvas.cells(2.5)[0], canvas.cells(0.16)[1]), 3, 0.7)
     height = np.linspace(facade.height_m, 0, shape[0], dtype=np.float32)[:, None]
     foot = smoothstep(0.9, 0.0, height + 0.25 * blotches)

@@ -98,9 +98,13 @@ def _posters(canvas: Canvas, rng: np.random.Generator) -> None:
     while x < x0 + w - 0.2:
         width = min(rng.uniform(0.4, 0.7), x0 + w - x)
         for top, bottom in ((0.03, 0.62), (0.66, 1.32)):
-            ground, ink = rng.uniform(60, 240, 3), rng.uniform(0, 90, 3)
+            ground, ink = rng.uniform(130, 240) * rng.uniform(0.75, 1.0, 3), rng.uniform(0, 90, 3)
             canvas.rect(x + 0.02, y0 + top, x + width - 0.02, y0 + bottom, ground)
-            canvas.ellipse((x + width / 2, y0 + top + 0.34), (0.13, 0.12), rng.uniform(20, 250, 3))
+            canvas.ellipse(
+                (x + width / 2, y0 + top + 0.34),
+                (0.13, 0.12),
+                rng.uniform(40, 140) * rng.uniform(0.6, 1.3, 3),
+            )
             canvas.text(str(rng.choice(words)), x + 0.05, y0 + top + 0.17, 0.09, ink)
             for k in range(3):
                 canvas.rect(

@@ -33,11 +33,7 @@ def lay_setts(
         count = int((x1 - x0) / stone_m[0] / 0.8) + 3
         edges = x0 - rng.uniform(0, stone_m[0]) + np.cumsum(stone_m[0] * rng.uniform(0.8, 1.25, count))
         stone = np.searchsorted(edges, x)
-        shade = (
-            tone
-            * rng.uniform(0.72, 1.28, count + 1)[:, None]
-            * rng.uniform([0.98, 0.97, 0.92], [1.05, 1.02, 1.0])
-        )
+        shade = tone * rng.uniform(0.82, 1.18, count + 1)[:, None] * np.array([1.02, 1.0, 0.96])
         row = shade[stone]
         inside = np.concatenate([[x0], edges])[stone]
         row[x - inside < max(joint_m, 0.8 * canvas.texel_m[0])] = tone * 0.5
@@ -69,7 +65,7 @@ def pavement(
         shade = rng.uniform(62, 150)
         canvas.rect(x, y, x + w, y + h, (shade, shade, shade), 0.9)
         canvas.frame(x, y, x + w, y + h, 0.04, (50, 50, 50), 0.8)
-    for _ in range(round(length_m * width_m / 0.7)):
+    for _ in range(round(length_m * width_m / 1.4)):
         radius = min(0.03 + 0.03 * rng.pareto(2.0), 0.4)
         shade = rng.choice([45.0, 60.0, 195.0])
         at = (rng.uniform(0, length_m), rng.uniform(0, width_m))
@@ -81,5 +77,5 @@ def pavement(
         )
     kerb = (0.0, 0.28) if kerb_first else (width_m - 0.28, width_m)
     lay_setts(canvas, 0, kerb[0], length_m, kerb[1], (0.9, 0.28), 165, rng)
-    canvas.shade(0.10 * fractal(rng, canvas.shape, canvas.cells(2.0), 7, 0.75))
+    canvas.shade(0.08 * fractal(rng, canvas.shape, canvas.cells(2.0), 5, 0.65))
     return canvas

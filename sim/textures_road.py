@@ -58,8 +58,8 @@ def asphalt(
     worn = smoothstep(-1.5, 0.3, fractal(rng, shape, canvas.cells(0.5), 6, 0.8))
     road = RoadCanvas(canvas, start_m, left_m, 0.25 + 0.75 * worn)
     canvas.shade(
-        0.10 * fractal(rng, shape, canvas.cells(3.0), 3)
-        + 0.14 * fractal(rng, shape, canvas.cells(0.45), 6, 0.85)
+        0.08 * fractal(rng, shape, canvas.cells(3.0), 3)
+        + 0.09 * fractal(rng, shape, canvas.cells(0.45), 6, 0.85)
     )
     area = (end_m - start_m) * (left_m - right_m)
     _lay_repairs(road, area, right_m, left_m, rng)
@@ -75,15 +75,15 @@ def _lay_repairs(
     """Patches and trenches: other tone, other grain, a sealed seam around."""
     canvas = road.canvas
     grain = fractal(rng, canvas.shape, canvas.cells(0.2), 4, 0.9)
-    for _ in range(round(area_m2 / 14.0)):
+    for _ in range(round(area_m2 / 18.0)):
         x, y = rng.uniform(0, canvas.shape[1] * canvas.texel_m[0]), rng.uniform(0, left_m - right_m)
         length, width = rng.choice([(0.8, 0.6), (1.6, 1.1), (2.6, 0.8), (5.5, 0.7), (0.6, 3.4)])
         length, width = length * rng.uniform(0.7, 1.4), width * rng.uniform(0.7, 1.3)
         corners = np.array([[0, 0], [length, 0], [length, width], [0, width]]) + [x, y]
         corners += rng.normal(0, 0.04, (4, 2))
-        tone = rng.uniform(58, 142)
+        tone = rng.uniform(72, 138)
         canvas.fill(corners, (tone, tone, tone * 0.98), 0.85, np.clip(0.85 + 0.12 * grain, 0, 1))
-        canvas.stroke(corners, rng.uniform(0.03, 0.08), (38, 38, 40), 0.9, closed=True)
+        canvas.stroke(corners, rng.uniform(0.03, 0.08), (48, 48, 50), 0.7, closed=True)
 
 
 def _crack(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng: np.random.Generator) -> None:

@@ -34,14 +34,14 @@ def tree_mesh(height_m: float, crown_m: float, rng: np.random.Generator) -> Mesh
     lumps = _lumps(middle, half, 13, rng)
     start = np.array([*wave[-2], heights[-2]])
     boughs = [_bough(start, lump, 0.45 * radius, rng) for lump in lumps[:8]]
-    return merged([trunk, *boughs, _foliage(lumps, 0.42 * crown_m, 430, (0.16, 0.34), middle, rng)])
+    return merged([trunk, *boughs, _foliage(lumps, 0.42 * crown_m, 330, (0.18, 0.38), middle, rng)])
 
 
 def bush_mesh(radius_m: float, rng: np.random.Generator) -> Mesh:
     """A bush standing at the origin."""
     middle = np.array([0.0, 0.0, 0.6 * radius_m])
     lumps = _lumps(middle, np.array([0.7, 0.7, 0.6]) * radius_m, 6, rng)
-    return _foliage(lumps, 0.4 * radius_m, 130, (0.1, 0.22), middle * 0.5, rng)
+    return _foliage(lumps, 0.4 * radius_m, 84, (0.12, 0.26), middle * 0.5, rng)
 
 
 def hedge_mesh(length_m: float, height_m: float, width_m: float, rng: np.random.Generator) -> Mesh:
