@@ -1,7 +1,8 @@
 """The car as MuJoCo parts: chassis, four sprung wheels, steering at the front, drive at the rear.
 
-The chassis body's frame is the ego frame (x forward, y left, z up, under the rear axle). One invisible ellipsoid
-a wheel touches the ground: a flat cylinder's edges would grip in curves. What is seen is in ``sim.car_body``.
+The chassis body's frame is the ego frame (x forward, y left, z up, under the rear axle). One invisible
+ellipsoid a wheel touches the ground: a flat cylinder's edges would grip in curves. What is seen is in
+``sim.car_body``.
 """
 
 from __future__ import annotations

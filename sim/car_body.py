@@ -1,7 +1,7 @@
 """What is seen of the car: painted body, dark glass, wheels.
 
-Every part is the convex hull of a few points on both sides, so a camera inside a hull looks out through it (back
-faces are not drawn) and one outside sees it where a real one would.
+Every part is the convex hull of a few points on both sides, so a camera inside a hull looks out through it
+(back faces are not drawn) and one outside sees it where a real one would.
 """
 
 from __future__ import annotations
@@ -37,14 +37,32 @@ PANELS = (
     ),
     Panel(
         "cabin",
-        ((2.16, 0.82, 0.97), (2.16, 0.86, 0.6), (2.16, 0.82, 0.28), (-0.85, 0.78, 0.28), (-0.88, 0.85, 0.6),
-         (-0.84, 0.80, 0.97)),
+        (
+            (2.16, 0.82, 0.97),
+            (2.16, 0.86, 0.60),
+            (2.16, 0.82, 0.28),
+            (-0.85, 0.78, 0.28),
+            (-0.88, 0.85, 0.60),
+            (-0.84, 0.80, 0.97),
+        ),
         PAINT_RGBA,
     ),
-    Panel("windows", ((2.12, 0.79, 0.97), (1.42, 0.62, 1.45), (-0.35, 0.62, 1.45), (-0.82, 0.78, 0.97)), GLASS_RGBA),
-    Panel("roof", ((1.45, 0.63, 1.44), (1.2, 0.60, 1.51), (-0.2, 0.60, 1.51), (-0.40, 0.63, 1.43)), PAINT_RGBA),
-    Panel("bumper", ((-0.85, 0.80, 0.62), (-0.98, 0.72, 0.60), (-0.98, 0.72, 0.32), (-0.85, 0.80, 0.30)), TRIM_RGBA),
-)  # fmt: skip
+    Panel(
+        "windows",
+        ((2.12, 0.79, 0.97), (1.42, 0.62, 1.45), (-0.35, 0.62, 1.45), (-0.82, 0.78, 0.97)),
+        GLASS_RGBA,
+    ),
+    Panel(
+        "roof",
+        ((1.45, 0.63, 1.44), (1.20, 0.60, 1.51), (-0.20, 0.60, 1.51), (-0.40, 0.63, 1.43)),
+        PAINT_RGBA,
+    ),
+    Panel(
+        "bumper",
+        ((-0.85, 0.80, 0.62), (-0.98, 0.72, 0.60), (-0.98, 0.72, 0.32), (-0.85, 0.80, 0.30)),
+        TRIM_RGBA,
+    ),
+)
 
 
 def write_body(spec: mujoco.MjSpec, chassis: mujoco.MjsBody) -> None:

@@ -83,7 +83,9 @@ def step(
     velocity_ego = velocity_in_ego(model, data)
     angles_rad = ackermann_rad(follower.steer_rad(world_from_ego(data), speed_mps), car)
     for wheel, angle_rad in zip(STEERED, angles_rad, strict=True):
-        data.actuator(f"{wheel}_servo").ctrl[0] = np.clip(angle_rad, -car.steer_limit_rad, car.steer_limit_rad)
+        data.actuator(f"{wheel}_servo").ctrl[0] = np.clip(
+            angle_rad, -car.steer_limit_rad, car.steer_limit_rad
+        )
     push_mps2 = np.clip(
         _SPEED_GAIN_PS * (speed_mps - velocity_ego[3]), -_HARDEST_PUSH_MPS2, _HARDEST_PUSH_MPS2
     )
@@ -102,7 +104,5 @@ def world_from_ego(data: mujoco.MjData) -> SE3:
 def velocity_in_ego(model: mujoco.MjModel, data: mujoco.MjData) -> Array:
     """Return the (6,) angular (rad/s) and linear (m/s) velocity of the ego frame, in itself."""
     velocity = np.zeros(6)
-    mujoco.mj_objectVelocity(
-        model, data, mujoco.mjtObj.mjOBJ_XBODY.value, data.body(CHASSIS).id, velocity, 1
-    )
+    mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY.value, data.body(CHASSIS).id, velocity, 1)
     return velocity

@@ -49,7 +49,9 @@ class Follower:
         self._progress_m = max(self._progress_m, float(start_m + along[best] * (end_m - start_m)))
 
     def _near(self) -> slice:
-        first, last = np.searchsorted(self._along_m, [self._progress_m - _SEARCH_M, self._progress_m + _SEARCH_M])
+        first, last = np.searchsorted(
+            self._along_m, [self._progress_m - _SEARCH_M, self._progress_m + _SEARCH_M]
+        )
         return slice(max(int(first) - 1, 0), int(last) + 1)
 
     def _point_at(self, along_m: float) -> Array:

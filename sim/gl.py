@@ -1,8 +1,8 @@
 """Choose the off-screen OpenGL of this process: EGL first, OSMesa where EGL is missing.
 
-MuJoCo and PyOpenGL read their choice from the environment when they are first imported, so the package ``sim``
-calls ``choose_backend`` before anything else. ``probe_gl`` tries a choice in a process of its own: a broken
-driver may crash it without harm.
+MuJoCo and PyOpenGL read their choice from the environment when they are first imported, so the package
+``sim`` calls ``choose_backend`` before anything else. ``probe_gl`` tries a choice in a process of its own: a
+broken driver may crash it without harm.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ import os
 import subprocess
 import sys
 from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
 
 from estimator.errors import InputError
 
@@ -21,6 +23,7 @@ REMEDY = {
     "osmesa": "apt-get install libosmesa6",
 }
 _PROBE_TIMEOUT_S = 60
+_MOST_THREADS = 8  # llvmpipe gains little beyond
 _PROBE = """
 import mujoco
 from OpenGL import GL
@@ -28,7 +31,7 @@ model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></wor
 with mujoco.Renderer(model, 8, 8) as renderer:
     renderer.update_scene(mujoco.MjData(model))
     renderer.render()
-    print("renderer:", GL.glGetString(GL.GL_RENDERER).decode())
+    print("renderer:", b", ".join([GL.glGetString(GL.GL_RENDERER), GL.glGetString(GL.GL_VERSION)]).decode())
 """
 
 
@@ -38,7 +41,7 @@ class GlProbe:
 
     Attributes:
         backend: ``egl`` or ``osmesa``.
-        renderer_name: As the driver calls itself, for example ``llvmpipe (LLVM 15.0.6, 256 bits)``.
+        renderer_name: As the driver calls itself, with its version.
         problem: One line saying why nothing was rendered; None when all is well.
         remedy: The command that would mend it; None when all is well.
     """
@@ -55,13 +58,33 @@ def choose_backend() -> str:
     if backend not in LIBRARY:
         backend = "osmesa" if not _loads(LIBRARY["egl"]) and _loads(LIBRARY["osmesa"]) else "egl"
     os.environ["MUJOCO_GL"] = os.environ["PYOPENGL_PLATFORM"] = backend
+    # Mesa's software rasteriser else runs on one core in some containers; pictures do not depend on it.
+    os.environ.setdefault("LP_NUM_THREADS", str(min(len(os.sched_getaffinity(0)), _MOST_THREADS)))
     return backend
+
+
+def open_context(width_px: int, height_px: int) -> Any:
+    """Make an OpenGL context current and return it; its ``free`` ends it.
+
+    Asks the backend's own module, so that it does not matter who imported MuJoCo first.
+
+    Raises:
+        InputError: This machine cannot render; the line names the package to install.
+    """
+    try:
+        context = import_module(f"mujoco.{choose_backend()}").GLContext(width_px, height_px)
+        context.make_current()
+    except Exception as error:  # the bindings raise what they like, down to AttributeError
+        raise no_gl_error(error) from error
+    return context
 
 
 def no_gl_error(cause: Exception) -> InputError:
     """Say in one line that this machine cannot render, why, and what to install."""
-    backend = os.environ.get("MUJOCO_GL", "egl")
+    backend = choose_backend()
     reason = " ".join(str(cause).split()) or type(cause).__name__
+    if not _loads(LIBRARY[backend]):
+        reason = f"{LIBRARY[backend]} is missing"
     return InputError(
         f"no off-screen OpenGL on this machine ({backend}: {reason}); wanted EGL or OSMesa: "
         f"{REMEDY['egl']} (or {REMEDY['osmesa']})"

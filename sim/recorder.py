@@ -1,7 +1,7 @@
 """Record a simulated drive as a ROS 2 bag with its truth.
 
-The bag appears under its name only when it is whole: it is written in a hidden folder beside it, which goes away
-whatever happens.
+The bag appears under its name only when it is whole: it is written in a hidden folder beside it, which goes
+away whatever happens.
 """
 
 from __future__ import annotations

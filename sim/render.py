@@ -1,7 +1,7 @@
 """Renderers behind one protocol: physics state in, one picture a camera out.
 
-The classic renderer is MuJoCo's own OpenGL one, off-screen, with shadows and multisampling. It renders pinholes
-only; lenses are made of its pictures in ``sim.lens``.
+The classic renderer is MuJoCo's own OpenGL one, off-screen, with shadows and multisampling. It renders
+pinholes only; lenses are made of its pictures in ``sim.lens``.
 """
 
 from __future__ import annotations
@@ -15,13 +15,14 @@ import numpy as np
 import numpy.typing as npt
 
 from estimator.camera import Camera
-from sim.gl import no_gl_error
+from sim.gl import no_gl_error, open_context
 
 RgbImage = npt.NDArray[np.uint8]
 
 MULTISAMPLES = 4
-SHADOW_MAP_PX = 2048
-SHADOW_RADIUS_M = 45.0  # of what the sun's shadow map covers around the car
+SHADOW_MAP_PX = 3072
+SHADOW_RADIUS_M = 60.0  # of what the sun's shadow map covers
+SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0
 NEAR_M, FAR_M = 0.05, 300.0
 _MOST_GEOMS = 20_000
@@ -66,11 +67,10 @@ class ClassicRenderer:
         self._option = mujoco.MjvOption()
         self._camera = mujoco.MjvCamera()
         self._camera.type = mujoco.mjtCamera.mjCAMERA_FIXED
+        self._gl = open_context(model.vis.global_.offwidth, model.vis.global_.offheight)
         try:
-            self._gl = mujoco.GLContext(model.vis.global_.offwidth, model.vis.global_.offheight)
-            self._gl.make_current()
             self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
-        except (ImportError, RuntimeError, AttributeError, mujoco.FatalError) as error:
+        except mujoco.FatalError as error:
             raise no_gl_error(error) from error
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
 
@@ -82,13 +82,11 @@ class ClassicRenderer:
     def _update_scene(self, data: mujoco.MjData) -> None:
         self._camera.fixedcamid = 0
         everything = mujoco.mjtCatBit.mjCAT_ALL.value
-        mujoco.mjv_updateScene(
-            self._model, data, self._option, None, self._camera, everything, self._scene
-        )
-        middle = data.cam_xpos.mean(0)
+        mujoco.mjv_updateScene(self._model, data, self._option, None, self._camera, everything, self._scene)
+        middle = SHADOW_STRIDE_M * np.rint(data.cam_xpos.mean(0) / SHADOW_STRIDE_M) * [1, 1, 0]
         for light in self._scene.lights[: self._scene.nlight]:
             if light.castshadow and light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL:
-                light.pos = middle - SUN_DISTANCE_M * light.dir  # centres the shadow map on the car
+                light.pos = middle - SUN_DISTANCE_M * light.dir  # centres its shadow map
 
     def _picture(self, data: mujoco.MjData, name: str, source: Camera) -> RgbImage:
         self._camera.fixedcamid = self._model.camera(name).id

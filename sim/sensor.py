@@ -23,7 +23,7 @@ class SensorConfig(Config):
 def expose(light: GreyImage, config: SensorConfig, rng: np.random.Generator) -> Image:
     """Turn (H, W) light, in levels 0 to 255 and fractions of them, into the 8-bit image a sensor gives.
 
-    Shot noise is Gaussian with the variance of the Poisson law it stands for, which holds above some ten electrons.
+    Shot noise is Gaussian with the variance of the Poisson law it stands for: true above some ten electrons.
     """
     if config.noise > 0:
         variance = light * np.float32(LEVELS_PER_ELECTRON) + np.float32(READ_NOISE_LEVELS**2)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 
 import cv2
 import mujoco
@@ -22,7 +22,7 @@ from sim.world import Snapshot, Truth, WorldConfig
 _LUMA = np.array([[0.299, 0.587, 0.114]], np.float32)  # ITU-R BT.601
 
 
-def simulate(config: WorldConfig, rig: Rig, seed: int) -> Iterator[Snapshot]:
+def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, None, None]:
     """Drive once and yield every bundle with its truth.
 
     Close the generator, or exhaust it, to free the renderer.
