@@ -45,7 +45,9 @@ class Rig:
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:
-            raise InputError(f"reference camera {self.reference!r} is not in the rig; cameras: {self.names_text}")
+            raise InputError(
+                f"reference camera {self.reference!r} is not in the rig; cameras: {self.names_text}"
+            )
 
     @property
     def names_text(self) -> str:

@@ -1,0 +1,135 @@
+"""Measure where a landmark's anchor patch appears in other images, to a small part of a pixel.
+
+Tracking from frame to frame adds up small errors; comparing every sighting with one anchor does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from estimator.anchors import Anchors
+from estimator.bundle import Image
+from estimator.config import Config
+from estimator.observations import Index
+from estimator.patches import normalised, plane_warp, sample_patches
+from estimator.scene import Scene
+from estimator.se3 import Array
+
+
+class AlignConfig(Config):
+    """Patch size, steps, and the likeness below which an alignment is not believed."""
+
+    half_px: int = 6
+    steps: int = 8
+    min_likeness: float = 0.8
+    max_shift_px: float = 3.0
+    max_stretch: float = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class Aligned:
+    """N alignments.
+
+    Attributes:
+        pixels: (N, 2) where the anchor's centre appears; NaN where it could not be aligned.
+        likeness: (N,) correlation of patch and image there, -1 to 1; NaN where not aligned.
+    """
+
+    pixels: Array
+    likeness: Array
+
+
+def align(
+    scene: Scene,
+    images: Sequence[Sequence[Image | None]],
+    anchors: Anchors,
+    landmark: Index,
+    camera: Index,
+    keyframe: Index,
+    start_px: Array,
+    config: AlignConfig,
+) -> Aligned:
+    """Shift each landmark's warped anchor patch until it matches the image.
+
+    Inverse compositional Gauss-Newton on a shift, blind to brightness and contrast.
+
+    Args:
+        scene: Poses, cameras and landmarks that give the warps.
+        images: ``images[keyframe][camera]``.
+        anchors: Patch and plane of every landmark.
+        landmark: (N,) which landmark to look for.
+        camera: (N,) in which camera.
+        keyframe: (N,) at which keyframe.
+        start_px: (N, 2) where to begin.
+        config: Limits.
+
+    Returns:
+        Pixels and likeness; NaN where the patch cannot be seen, ran away or does not match.
+
+    Reference:
+        Baker & Matthews 2004, sec. 3.2.
+    """
+    pixels = np.full((len(landmark), 2), np.nan)
+    likeness = np.full(len(landmark), np.nan)
+    source = (anchors.camera[landmark], anchors.keyframe[landmark])
+    warp = plane_warp(
+        scene,
+        source,
+        (camera, keyframe),
+        scene.points_world[landmark],
+        anchors.normals_world[landmark],
+        start_px,
+    )
+    with np.errstate(invalid="ignore"):
+        stretch = np.sqrt(np.abs(np.linalg.det(warp)))
+        usable = np.isfinite(warp).all((1, 2)) & (np.linalg.norm(warp, axis=(1, 2)) < 2 * config.max_stretch)
+        usable &= (
+            anchors.valid[landmark] & (stretch > 1 / config.max_stretch) & (stretch < config.max_stretch)
+        )
+    rows = np.flatnonzero(usable)
+    if len(rows) == 0:
+        return Aligned(pixels, likeness)
+    template = sample_patches(
+        images,
+        source[1][rows],
+        source[0][rows],
+        anchors.pixels[landmark[rows]],
+        warp[rows],
+        config.half_px + 1,
+    )
+    steepest, gradient, reference = _prepare(template)
+    at = start_px[rows].copy()
+    for _ in range(config.steps):
+        seen = sample_patches(images, keyframe[rows], camera[rows], at, None, config.half_px)
+        flat, _ = normalised(seen)
+        error = flat - reference
+        step = np.einsum("nij,nj->ni", steepest, np.einsum("npi,np->ni", gradient, error))
+        at -= np.clip(step, -1.0, 1.0)
+        if np.abs(step).max() < 0.003:
+            break
+    seen = sample_patches(images, keyframe[rows], camera[rows], at, None, config.half_px)
+    alike = (normalised(seen)[0] * reference).sum(1)
+    shift = np.linalg.norm(at - start_px[rows], axis=1)
+    good = (alike > config.min_likeness) & (shift < config.max_shift_px)
+    pixels[rows[good]] = at[good]
+    likeness[rows] = alike
+    return Aligned(pixels, likeness)
+
+
+def _prepare(template: np.ndarray) -> tuple[Array, Array, Array]:
+    """Return inverse Hessians (N, 2, 2), gradients (N, P*P, 2) and normalised inner patches (N, P*P)."""
+    inner = template[:, 1:-1, 1:-1]
+    reference, norm = normalised(inner)
+    along_x = 0.5 * (template[:, 1:-1, 2:] - template[:, 1:-1, :-2])
+    along_y = 0.5 * (template[:, 2:, 1:-1] - template[:, :-2, 1:-1])
+    gradient = np.stack([along_x, along_y], -1).reshape(len(template), -1, 2).astype(float)
+    gradient -= gradient.mean(1, keepdims=True)
+    gradient /= np.maximum(norm, 1e-6)[:, None, None]
+    # Contrast is free: a change along the patch itself is no shift.
+    gradient -= reference[..., None] * np.einsum("np,npi->ni", reference, gradient)[:, None]
+    hessian = np.einsum("npi,npj->nij", gradient, gradient)
+    hessian += 1e-6 * np.eye(2)
+    return np.linalg.inv(hessian), gradient, reference

@@ -1,0 +1,61 @@
+"""What is known of the extrinsics so far: one Gaussian over all estimated cameras together.
+
+Cameras are correlated, through the scale and through each other, so the covariance is kept whole. Its size
+does not grow with the drive.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from estimator.rig import Rig
+from estimator.se3 import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Belief:
+    """A Gaussian over the extrinsics of the C estimated cameras.
+
+    Attributes:
+        rig: The mean.
+        covariance: (6 C, 6 C) of the right perturbations, cameras in the order of ``rig.estimated_names``.
+    """
+
+    rig: Rig
+    covariance: Array
+
+    @staticmethod
+    def nominal(rig: Rig) -> Belief:
+        """Return what the rig file says: its poses and, for each camera alike, its prior."""
+        return Belief(rig, np.kron(np.eye(len(rig.estimated_names)), rig.prior.covariance))
+
+    def camera_covariance(self, name: str) -> Array:
+        """Return the (6, 6) covariance of one camera; zero for the reference."""
+        if name == self.rig.reference:
+            return np.zeros((6, 6))
+        block = self.rig.estimated_names.index(name)
+        return self.covariance[6 * block : 6 * block + 6, 6 * block : 6 * block + 6]
+
+    def rotation_sigma_rad(self, name: str) -> float:
+        """Return the root of the summed rotation variances of one camera."""
+        return float(np.sqrt(np.trace(self.camera_covariance(name)[:3, :3])))
+
+    def translation_sigma_m(self, name: str) -> float:
+        """Return the root of the summed translation variances of one camera."""
+        return float(np.sqrt(np.trace(self.camera_covariance(name)[3:, 3:])))
+
+    def with_scale_sigma(self, scale_sigma: float) -> Belief:
+        """Return the belief with an error of scale added that all windows of a drive share.
+
+        The road fixes the scale under the stated height of the reference camera; ride height and load shift
+        it the same way in every window, so it does not average out. An error of scale moves every camera
+        along the line from the reference camera to it.
+        """
+        origin = self.rig[self.rig.reference].ego_from_cam.translation
+        direction = np.zeros(len(self.covariance))
+        for block, name in enumerate(self.rig.estimated_names):
+            pose = self.rig[name].ego_from_cam
+            direction[6 * block + 3 : 6 * block + 6] = pose.rotation.T @ (pose.translation - origin)
+        return Belief(self.rig, self.covariance + scale_sigma**2 * np.outer(direction, direction))

@@ -1,0 +1,109 @@
+"""Everything done with every bundle: follow the tracks of all cameras and keep the car's pose."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.bundle import FrameBundle, Image
+from estimator.config import Config
+from estimator.keyframe import Keyframe
+from estimator.odometry import Odometry, OdometryConfig
+from estimator.rig import Rig
+from estimator.se3 import SE3, Array
+from estimator.stopwatch import Stopwatch
+from estimator.tracker import Tracker, TrackerConfig
+
+
+class FrontEndConfig(Config):
+    """Settings of the trackers and the odometry; when it counts as lost."""
+
+    tracker: TrackerConfig = TrackerConfig()
+    odometry: OdometryConfig = OdometryConfig()
+    lost_after: int = 3
+    restart_below: float = 0.5
+
+
+class FrontEnd:
+    """Trackers of all cameras around the odometry of the reference."""
+
+    def __init__(self, rig: Rig, config: FrontEndConfig) -> None:
+        self.rig = rig
+        self.config = config
+        self.odometry = Odometry(rig[rig.reference], config.odometry)
+        self.trackers = {name: Tracker(m.camera, config.tracker) for name, m in rig.cameras.items()}
+        self._bundle: FrameBundle | None = None
+        self._started_with = 0
+
+    @property
+    def metric(self) -> bool:
+        """Whether the car's motion is known, in metres."""
+        return self.odometry.metric
+
+    def advance(self, bundle: FrameBundle, stopwatch: Stopwatch) -> bool:
+        """Follow all tracks into a bundle; say whether this is a new start: the place motion counts from."""
+        before = self.odometry.world_from_ego
+        self._bundle = bundle
+        with stopwatch.stage("track"):
+            self._follow(self.rig.reference, before, self.odometry.predicted_world_from_ego)
+        with stopwatch.stage("motion"):
+            known = self.odometry.advance(self.trackers[self.rig.reference])
+        with stopwatch.stage("track"):
+            for name in self.rig.estimated_names:
+                self._follow(name, before, self.odometry.world_from_ego)
+        with stopwatch.stage("detect"):
+            return self._renew(known)
+
+    def keyframe(self) -> Keyframe:
+        """Return the newest bundle as a keyframe."""
+        assert self._bundle is not None, "advance comes first"
+        tracks = {name: (t.ids.copy(), t.pixels.copy()) for name, t in self.trackers.items()}
+        images = dict(self._bundle.images)
+        return Keyframe(self._bundle.stamp_ns, images, self.odometry.world_from_ego, tracks)
+
+    def live_tracks_px(self) -> dict[str, Array]:
+        """Return by camera (N, 4) previous and present pixels."""
+        return {name: np.hstack([t.previous_pixels, t.pixels]) for name, t in self.trackers.items()}
+
+    def correct(self, rig: Rig, new_from_old: SE3, scale: float) -> None:
+        """Take over better extrinsics and a better place for the newest keyframe."""
+        reference = rig[rig.reference].ego_from_cam
+        pose = self.odometry.world_from_ego
+        origin = (pose @ reference).translation
+        for tracker in self.trackers.values():
+            tracker.move_world(new_from_old, scale, origin)
+        self.odometry.correct(new_from_old @ pose, scale)
+        self.rig = rig
+
+    def _follow(self, name: str, world_from_ego_before: SE3, world_from_ego: SE3) -> None:
+        assert self._bundle is not None
+        tracker = self.trackers[name]
+        image: Image | None = self._bundle.images.get(name)
+        if image is None:
+            tracker.miss()
+            return
+        ego_from_cam = self.rig[name].ego_from_cam
+        guess = tracker.predict(world_from_ego_before @ ego_from_cam, world_from_ego @ ego_from_cam)
+        tracker.advance(image, guess)
+
+    def _renew(self, known: bool) -> bool:
+        """Place points, drop old tracks and start new ones; before the motion is known, only at a start."""
+        if not known and self.odometry.lost_count > self.config.lost_after:
+            self.odometry.restart()
+        starting = not self.metric and self._must_start()
+        for name, tracker in self.trackers.items():
+            world_from_cam = self.odometry.world_from_ego @ self.rig[name].ego_from_cam
+            if self.metric:
+                tracker.locate(world_from_cam)
+                tracker.retire(world_from_cam)
+            if starting:
+                tracker.reanchor()
+            if self.metric or starting:
+                tracker.replenish(None)
+                tracker.anchor(world_from_cam)
+        if starting:
+            self._started_with = len(self.trackers[self.rig.reference].ids)
+        return starting
+
+    def _must_start(self) -> bool:
+        left = len(self.trackers[self.rig.reference].ids)
+        return left <= self.config.restart_below * self._started_with

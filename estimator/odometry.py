@@ -1,0 +1,147 @@
+"""Where the car goes, from the reference camera alone.
+
+Two views start it, the road under the known camera height gives it metres, and from then on each frame's
+pose is fitted to the points already known. Drift is not its business: the windows correct it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import poselib
+
+from estimator.config import Config
+from estimator.rig import MountedCamera
+from estimator.road import road_scale
+from estimator.se3 import SE3, Array
+from estimator.tracker import Tracker
+from estimator.triangulate import triangulate
+
+
+class OdometryConfig(Config):
+    """When two views suffice to begin, and what counts as agreement."""
+
+    min_points: int = 30
+    start_parallax_rad: float = 0.015
+    max_error_px: float = 1.5
+
+
+class Odometry:
+    """The pose of the car at every bundle, in a world whose origin is the car's first pose."""
+
+    def __init__(self, mounted: MountedCamera, config: OdometryConfig) -> None:
+        self.mounted = mounted
+        self.config = config
+        self.world_from_ego = SE3()
+        self._last_step = SE3()
+        self.metric = False
+        self.lost_count = 0
+
+    def restart(self) -> None:
+        """Begin again from the present pose, as with the first image."""
+        self._last_step = SE3()
+        self.metric = False
+        self.lost_count = 0
+
+    @property
+    def predicted_world_from_ego(self) -> SE3:
+        """The pose one step on, if the car keeps doing what it did."""
+        return self.world_from_ego @ self._last_step if self.metric else self.world_from_ego
+
+    @property
+    def step_m(self) -> float:
+        """How far the car moved between the last two bundles."""
+        return float(np.linalg.norm(self._last_step.translation))
+
+    def advance(self, tracker: Tracker) -> bool:
+        """Take the reference camera's tracks in a new image; say whether the pose is known."""
+        if not self.metric:
+            return self._start(tracker)
+        known = np.isfinite(tracker.points_world).all(1)
+        pose = None
+        if known.sum() >= self.config.min_points // 3:
+            pose = self._fit(tracker.rays_cam[known], tracker.points_world[known])
+        if pose is None:
+            self.lost_count += 1
+            self.world_from_ego = self.predicted_world_from_ego
+            return False
+        self._last_step = self.world_from_ego.inverse() @ pose
+        self.world_from_ego = pose
+        self.lost_count = 0
+        return True
+
+    def correct(self, world_from_ego: SE3, step_scale: float) -> None:
+        """Take over a pose that a window found better, and its scale."""
+        self.world_from_ego = world_from_ego
+        self._last_step = SE3(self._last_step.rotation, self._last_step.translation * step_scale)
+
+    def _fit(self, rays_cam: Array, points_world: Array) -> SE3 | None:
+        plane, focal_px, camera = self._as_pinhole(rays_cam)
+        ahead = rays_cam[:, 2] > 0.2
+        predicted = (self.predicted_world_from_ego @ self.mounted.ego_from_cam).inverse()
+        start = poselib.CameraPose()
+        start.R, start.t = predicted.rotation, predicted.translation
+        pose, info = poselib.estimate_absolute_pose(
+            plane[ahead] * focal_px,
+            points_world[ahead],
+            camera,
+            {"max_reproj_error": self.config.max_error_px, "max_iterations": 500, "seed": 1},
+            {"loss_type": "CAUCHY", "loss_scale": 0.7},
+            start,
+        )
+        if info["num_inliers"] < self.config.min_points // 3:
+            return None
+        cam_from_world = SE3(np.array(pose.R), np.array(pose.t))
+        return cam_from_world.inverse() @ self.mounted.ego_from_cam.inverse()
+
+    def _start(self, tracker: Tracker) -> bool:
+        """Find the motion since the first image, and its length from the road."""
+        usable = (tracker.rays_cam[:, 2] > 0.2) & (tracker.anchor_rays_cam[:, 2] > 0.2)
+        usable &= np.isfinite(tracker.anchor_center_world).all(1)
+        if usable.sum() < self.config.min_points:
+            return False
+        first_cam, last_cam = tracker.anchor_rays_cam[usable], tracker.rays_cam[usable]
+        first, focal_px, camera = self._as_pinhole(first_cam)
+        last = self._as_pinhole(last_cam)[0]
+        pose, info = poselib.estimate_relative_pose(
+            first * focal_px,
+            last * focal_px,
+            camera,
+            camera,
+            {"max_epipolar_error": 1.0, "seed": 1},
+            {"loss_type": "CAUCHY", "loss_scale": 0.5},
+        )
+        inliers = np.array(info["inliers"], bool)
+        last_from_first = SE3(np.array(pose.R), np.array(pose.t))
+        first_from_last = last_from_first.inverse()
+        turned = last_cam @ first_from_last.rotation.T
+        parallax = np.arccos(np.clip(np.einsum("ni,ni->n", first_cam, turned), -1, 1))
+        if inliers.sum() < self.config.min_points:
+            return False
+        if np.percentile(parallax[inliers], 70) < self.config.start_parallax_rad:
+            return False
+        scale = self._scale(first_cam[inliers], turned[inliers], first_from_last)
+        if scale is None:
+            return False
+        first_from_last = SE3(first_from_last.rotation, first_from_last.translation * scale)
+        ego_from_cam = self.mounted.ego_from_cam
+        step = ego_from_cam @ first_from_last @ ego_from_cam.inverse()
+        self.world_from_ego = self.world_from_ego @ step
+        self._last_step = SE3()
+        self.metric = True
+        tracker.locate(self.world_from_ego @ ego_from_cam)
+        return True
+
+    def _scale(self, first_cam: Array, turned: Array, first_from_last: SE3) -> float | None:
+        count = len(first_cam)
+        index = np.tile(np.arange(count), 2)
+        centers = np.vstack([np.zeros((count, 3)), np.tile(first_from_last.translation, (count, 1))])
+        points, angle = triangulate(index, np.vstack([first_cam, turned]), centers, count)
+        points = points[angle > 0.005]
+        level = points @ self.mounted.ego_from_cam.rotation.T
+        return road_scale(level, float(self.mounted.ego_from_cam.translation[2]))
+
+    def _as_pinhole(self, rays_cam: Array) -> tuple[Array, float, dict[str, object]]:
+        """Return (N, 2) plane points, a focal length that gives them pixel units, and poselib's camera."""
+        focal_px = float(np.mean(self.mounted.camera.focal_px))
+        camera = {"model": "PINHOLE", "width": 2, "height": 2, "params": [focal_px, focal_px, 0.0, 0.0]}
+        return rays_cam[:, :2] / rays_cam[:, 2:], focal_px, camera

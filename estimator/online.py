@@ -1,0 +1,153 @@
+"""The online estimator: tracks with every bundle, a window now and then, one belief for ever."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.belief import Belief
+from estimator.bundle import FrameBundle
+from estimator.config import Config
+from estimator.estimate import CameraEstimate, Estimate, Match, Status
+from estimator.front_end import FrontEnd, FrontEndConfig
+from estimator.keyframe import Keyframe
+from estimator.path import Path
+from estimator.rig import Rig
+from estimator.se3 import SE3
+from estimator.stopwatch import Stopwatch
+from estimator.window import WindowCalibration, WindowConfig, WindowResult
+from estimator.window_pace import PaceConfig, is_keyframe
+
+
+class OnlineConfig(Config):
+    """Settings of the online estimator and of its parts."""
+
+    front_end: FrontEndConfig = FrontEndConfig()
+    window: WindowConfig = WindowConfig()
+    pace: PaceConfig = PaceConfig()
+    shared_scale_sigma: float = 0.003
+    converged_rotation_rad: float = 0.0017
+    converged_translation_m: float = 0.04
+    min_links: int = 30
+
+
+class OnlineEstimator:
+    """Estimate the extrinsics of a rig while the car drives.
+
+    Sees bundles and the nominal rig, nothing else. Deterministic: the same bundles give the same bytes.
+    """
+
+    def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
+        self.config = config or OnlineConfig()
+        self.belief = Belief.nominal(rig)
+        self._front_end = FrontEnd(rig, self.config.front_end)
+        self._keyframes: list[Keyframe] = []
+        self._path = Path()
+        self._newest: WindowResult | None = None
+        self._inliers = dict.fromkeys(rig.cameras, 0)
+        self._links = dict.fromkeys(rig.cameras, 0)
+        self._stamp_ns = 0
+
+    def update(self, bundle: FrameBundle) -> Estimate:
+        """Follow the bundle; when a window is full, calibrate from it."""
+        stopwatch = Stopwatch()
+        self._stamp_ns = bundle.stamp_ns
+        started = self._front_end.advance(bundle, stopwatch)
+        if started:
+            self._keyframes = [self._front_end.keyframe()]
+        if started or self._front_end.metric:
+            self._path.append(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
+        if self._front_end.metric and is_keyframe(
+            self._keyframes, self._front_end.odometry, self.config.pace
+        ):
+            self._keyframes.append(self._front_end.keyframe())
+        matches: tuple[Match, ...] = ()
+        if len(self._keyframes) >= self._window_length():
+            matches = self._calibrate(stopwatch)
+        return self._estimate(stopwatch, matches)
+
+    def close(self) -> Estimate:
+        """Calibrate from what the last, unfinished window holds, and answer with the refined path."""
+        stopwatch = Stopwatch()
+        matches: tuple[Match, ...] = ()
+        if len(self._keyframes) >= self.config.pace.min_keyframes:
+            matches = self._calibrate(stopwatch)
+        return self._estimate(stopwatch, matches, closing=True)
+
+    def _window_length(self) -> int:
+        return self.config.pace.keyframes if self._newest else self.config.pace.first_keyframes
+
+    def _calibrate(self, stopwatch: Stopwatch) -> tuple[Match, ...]:
+        """Solve the window, fuse what it taught, and start the next one at its last keyframe."""
+        keyframes, self._keyframes = self._keyframes, self._keyframes[-1:]
+        calibration = WindowCalibration(
+            keyframes, self.belief, self._newest is not None, self.config.window, stopwatch
+        )
+        result = calibration.run()
+        if result is None:
+            return ()
+        with stopwatch.stage("fuse"):
+            self.belief = result.belief
+            self._correct_motion(keyframes, result)
+            self._newest = result
+            for name, count in result.inlier_count.items():
+                self._inliers[name] += count
+                self._links[name] += result.link_count[name]
+        return result.matches
+
+    def _correct_motion(self, keyframes: list[Keyframe], result: WindowResult) -> None:
+        """Move path, tracks and odometry to where the window found the car to be."""
+        first, last = result.world_from_egos[0], result.world_from_egos[-1]
+        if self._newest is None:  # the first window says how level the car stood when it started
+            heading = keyframes[0].world_from_ego.log()[2]
+            flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0]))
+            world_from_first = SE3(flat.rotation @ first.rotation, keyframes[0].world_from_ego.translation)
+        else:
+            world_from_first = keyframes[0].world_from_ego
+        corrected = [world_from_first @ first.inverse() @ pose for pose in result.world_from_egos]
+        old_last = keyframes[-1].world_from_ego
+        new_from_old = corrected[-1] @ old_last.inverse()
+        old_m = np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation)
+        new_m = np.linalg.norm((first.inverse() @ last).translation)
+        self._path.correct([k.stamp_ns for k in keyframes], corrected)
+        self._front_end.correct(self.belief.rig, new_from_old, float(new_m / max(old_m, 1e-6)))
+        self._keyframes = [
+            Keyframe(keyframes[-1].stamp_ns, keyframes[-1].images, corrected[-1], keyframes[-1].tracks)
+        ]
+
+    def _estimate(
+        self, stopwatch: Stopwatch, matches: tuple[Match, ...], *, closing: bool = False
+    ) -> Estimate:
+        stated = self.belief.with_scale_sigma(self.config.shared_scale_sigma)
+        if self._newest is None:
+            stated = self.belief
+        cameras = {name: self._camera_estimate(name, stated) for name in self.belief.rig.cameras}
+        poses = self._path.poses()
+        return Estimate(
+            self._stamp_ns,
+            cameras,
+            poses[-1][1] if self._front_end.metric else None,
+            poses if closing else (),
+            self._front_end.live_tracks_px(),
+            matches,
+            stopwatch.seconds,
+        )
+
+    def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:
+        return CameraEstimate(
+            self.belief.rig[name].ego_from_cam,
+            stated.camera_covariance(name),
+            self._status(name, stated),
+            self._inliers[name],
+        )
+
+    def _status(self, name: str, stated: Belief) -> Status:
+        if name == self.belief.rig.reference:
+            return Status.CONVERGED
+        if self._newest is None:
+            return Status.INITIALISING
+        sure = (
+            stated.rotation_sigma_rad(name) < self.config.converged_rotation_rad
+            and stated.translation_sigma_m(name) < self.config.converged_translation_m
+            and self._links[name] >= self.config.min_links
+        )
+        return Status.CONVERGED if sure else Status.WEAK

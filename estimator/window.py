@@ -1,0 +1,235 @@
+"""Calibrate from one window of keyframes: the offline heart of the online estimator.
+
+Tracks become landmarks, the road gives scale and level, cameras that are still far off are turned on their
+own tracks first, landmarks are handed over between cameras, every sighting is measured again against one
+anchor patch, and all is adjusted together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from estimator.align import AlignConfig, align
+from estimator.anchors import choose_anchors
+from estimator.belief import Belief
+from estimator.bundle import Image
+from estimator.config import Config
+from estimator.estimate import Match
+from estimator.graph import GraphConfig, Loss, adjust
+from estimator.handover import HandoverConfig, hand_over
+from estimator.keyframe import Keyframe, gather_observations
+from estimator.matches import cross_camera_matches
+from estimator.observations import Mask, Observations
+from estimator.road import level_on_road, road_landmarks
+from estimator.scene import Scene
+from estimator.se3 import SE3, Array
+from estimator.stopwatch import Stopwatch
+
+
+class WindowConfig(Config):
+    """Noise, limits and search ranges of a window's calibration."""
+
+    track_sigma_px: float = 0.5
+    anchored_sigma_px: float = 0.4
+    unsure_rad: float = 0.006
+    wide_search_rad: float = 0.04
+    narrow_search_rad: float = 0.008
+    scale_sigma: float = 0.03
+    road_tolerance_m: float = 0.05
+    min_inliers: int = 150
+    max_median_px: float = 0.7
+    graph: GraphConfig = GraphConfig()
+    handover: HandoverConfig = HandoverConfig()
+    align: AlignConfig = AlignConfig()
+
+
+@dataclass(frozen=True, eq=False)
+class WindowResult:
+    """What a window taught.
+
+    Attributes:
+        belief: The extrinsics after it.
+        world_from_egos: Pose of the car at each keyframe, in the window's own world: road at z = 0.
+        inlier_count: By camera, sightings that support the belief.
+        link_count: By camera, those among them that tie it to another camera.
+        median_px: Median reprojection error.
+        matches: Landmarks that two cameras share, for people to look at.
+    """
+
+    belief: Belief
+    world_from_egos: tuple[SE3, ...]
+    inlier_count: dict[str, int]
+    link_count: dict[str, int]
+    median_px: float
+    matches: tuple[Match, ...]
+
+
+class WindowCalibration:
+    """The steps of one window; made, run once and thrown away."""
+
+    def __init__(
+        self,
+        keyframes: Sequence[Keyframe],
+        belief: Belief,
+        metric: bool,
+        config: WindowConfig,
+        stopwatch: Stopwatch,
+    ) -> None:
+        rig = belief.rig
+        self.keyframes, self.belief, self.config, self.stopwatch = keyframes, belief, config, stopwatch
+        self.scale_sigma = config.scale_sigma if metric else np.inf
+        self.names = list(rig.cameras)
+        self.reference = self.names.index(rig.reference)
+        self.images: list[list[Image | None]] = [[k.images.get(n) for n in self.names] for k in keyframes]
+        first = keyframes[0].world_from_ego.inverse()
+        poses = tuple(first @ keyframe.world_from_ego for keyframe in keyframes)
+        tracks = gather_observations(keyframes, rig, config.track_sigma_px).of_enough_views(2)
+        _, landmark = np.unique(tracks.landmark, return_inverse=True)
+        self.tracks = replace(tracks, landmark=np.asarray(landmark, np.int64))
+        unknown = np.full((int(self.tracks.landmark.max(initial=-1)) + 1, 3), np.nan)
+        self.scene = Scene(rig, poses, unknown).with_triangulated(self.tracks, np.isnan(unknown[:, 0]))
+
+    def run(self) -> WindowResult | None:
+        """Calibrate; None if the window does not hold enough to learn from."""
+        try:
+            self._place_on_road()
+            if self._unsure():
+                self._turn_each_camera_alone()
+            for radius_rad in self._search_ranges_rad():
+                linked = self._hand_over(radius_rad)
+                self._adjust_jointly(linked)
+            return self._refine(linked)
+        except RuntimeError:  # GTSAM: an indeterminate system; the window cannot be solved
+            return None
+
+    def _unsure(self) -> bool:
+        rig = self.belief.rig
+        return any(self.belief.rotation_sigma_rad(n) > self.config.unsure_rad for n in rig.estimated_names)
+
+    def _search_ranges_rad(self) -> Iterator[float]:
+        if self._unsure():
+            yield self.config.wide_search_rad
+        yield self.config.narrow_search_rad
+
+    def _place_on_road(self) -> None:
+        """Adjust the path to the reference camera's tracks, at the scale and level that the road gives."""
+        with self.stopwatch.stage("motion"):
+            seen = self._believable(self.tracks.select(self.tracks.camera == self.reference), 8.0)
+            for _ in range(2):
+                levelled = level_on_road(self.scene, seen, self.scale_sigma)
+                on_road = self._nowhere()
+                if levelled is not None:
+                    self.scene, on_road = levelled
+                path = adjust(self.scene, seen, on_road, self.belief, Loss(1.5), self.config.graph).scene
+                self.scene = replace(self.scene, world_from_egos=path.world_from_egos)
+                self.scene = self.scene.with_triangulated(self.tracks, self._everywhere())
+                seen = self._believable(seen, 6.0)
+
+    def _turn_each_camera_alone(self) -> None:
+        """Fit every camera to its own tracks along the known path: turns them by degrees into line."""
+        with self.stopwatch.stage("alone"):
+            for loss_px, limit_px, tolerance_m in ((4.0, 20.0, 0.3), (1.5, 9.0, 0.12), (0.5, 3.0, 0.12)):
+                seen = self._believable(self.tracks, limit_px)
+                self._adjust(seen, Loss(loss_px), tolerance_m, fixed_poses=True)
+                self.scene = self.scene.with_triangulated(
+                    self.tracks, np.isnan(self.scene.points_world[:, 0])
+                )
+
+    def _hand_over(self, radius_rad: float) -> Observations:
+        """Return the tracks and what other cameras saw of their landmarks."""
+        with self.stopwatch.stage("match"):
+            seen = self._believable(self.tracks, 5.0)
+            anchors = choose_anchors(self.scene, seen, self.images)
+            focal_px = np.array([np.mean(m.camera.focal_px) for m in self.scene.rig.cameras.values()])
+            radius_px = np.broadcast_to(
+                np.maximum(3.0, radius_rad * focal_px), (len(focal_px), len(focal_px))
+            )
+            found = hand_over(self.scene, self.images, seen, anchors, radius_px, self.config.handover)
+            error_px = self.scene.residuals_px(found)
+            return seen.join(found.select(error_px < 1.5 * radius_px[0, found.camera]))
+
+    def _adjust_jointly(self, linked: Observations) -> None:
+        with self.stopwatch.stage("window"):
+            wide = 4.0 if self._unsure() else 1.0
+            for loss_px in (wide, 1.0) if wide > 1.0 else (1.0,):
+                self._adjust(linked, Loss(loss_px), 0.6 * self.config.road_tolerance_m / 0.05 * 0.08)
+                linked = self._believable(linked, 4.0 * loss_px)
+            self.scene = self.scene.with_triangulated(self.tracks, np.isnan(self.scene.points_world[:, 0]))
+
+    def _refine(self, linked: Observations) -> WindowResult | None:
+        """Measure every sighting again against its landmark's anchor patch, and adjust once more."""
+        with self.stopwatch.stage("refine"):
+            linked = self._believable(linked, 4.0)
+            anchors = choose_anchors(self.scene, linked, self.images)
+            predicted = self.scene.predict(
+                linked.camera, linked.keyframe, self.scene.points_world[linked.landmark]
+            )
+            measured = align(
+                self.scene, self.images, anchors, linked.landmark, linked.camera, linked.keyframe, predicted,
+                self.config.align,
+            )  # fmt: skip
+            sigma_px = np.full(len(linked), self.config.anchored_sigma_px)
+            fine = replace(linked, pixels=measured.pixels, sigma_px=sigma_px)
+            fine = fine.select(np.isfinite(fine.pixels).all(1)).of_enough_views(2)
+        with self.stopwatch.stage("window"):
+            if len(fine) < self.config.min_inliers:
+                return None
+            covariance = self._adjust(fine, Loss(0.5), self.config.road_tolerance_m, want_covariance=True)
+        return self._conclude(fine, covariance)
+
+    def _conclude(self, fine: Observations, covariance: Array) -> WindowResult | None:
+        error_px = self.scene.residuals_px(fine)
+        inliers = fine.select(error_px < 1.5).of_enough_views(2)
+        median_px = float(np.nanmedian(error_px))
+        if len(inliers) < self.config.min_inliers or median_px > self.config.max_median_px:
+            return None
+        counts = np.bincount(inliers.camera, minlength=len(self.names))
+        linked = _shared(inliers)
+        links = np.bincount(inliers.camera[linked], minlength=len(self.names))
+        return WindowResult(
+            Belief(self.scene.rig, covariance),
+            self.scene.world_from_egos,
+            dict(zip(self.names, counts.tolist(), strict=True)),
+            dict(zip(self.names, links.tolist(), strict=True)),
+            median_px,
+            cross_camera_matches(inliers, self.names, [k.stamp_ns for k in self.keyframes]),
+        )
+
+    def _adjust(
+        self,
+        seen: Observations,
+        loss: Loss,
+        road_tolerance_m: float,
+        *,
+        fixed_poses: bool = False,
+        want_covariance: bool = False,
+    ) -> Array:
+        on_road = road_landmarks(self.scene, seen, road_tolerance_m)
+        adjusted = adjust(
+            self.scene, seen, on_road, self.belief, loss, self.config.graph,
+            fixed_poses=fixed_poses, want_covariance=want_covariance,
+        )  # fmt: skip
+        self.scene = adjusted.scene
+        return adjusted.covariance
+
+    def _believable(self, seen: Observations, limit_px: float) -> Observations:
+        with np.errstate(invalid="ignore"):
+            return seen.select(self.scene.residuals_px(seen) < limit_px).of_enough_views(2)
+
+    def _everywhere(self) -> Mask:
+        return np.ones(len(self.scene.points_world), bool)
+
+    def _nowhere(self) -> Mask:
+        return np.zeros(len(self.scene.points_world), bool)
+
+
+def _shared(seen: Observations) -> Mask:
+    """Tell which sightings are of landmarks that more than one camera saw."""
+    count = int(seen.landmark.max(initial=-1)) + 1
+    low, high = np.full(count, 10**6), np.full(count, -1)
+    np.minimum.at(low, seen.landmark, seen.camera)
+    np.maximum.at(high, seen.landmark, seen.camera)
+    return np.asarray((low != high)[seen.landmark])
