@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import glob
+import os
 import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+import psutil
 
 from estimator.errors import InputError
 
@@ -61,7 +65,9 @@ def _is_replaceable(out: Path) -> bool:
 def _publishing(out: Path) -> Iterator[Path]:
     out = out.absolute()
     make_folder(out.parent)
-    workshop = Path(tempfile.mkdtemp(prefix=f".{out.name}.partial-", dir=out.parent))
+    _remove_leftovers(out)
+    workshop = out.with_name(f".{out.name}.partial-{os.getpid()}")
+    workshop.mkdir()
     try:
         yield workshop / "new"
         if out.exists():
@@ -69,3 +75,11 @@ def _publishing(out: Path) -> Iterator[Path]:
         (workshop / "new").rename(out)
     finally:
         shutil.rmtree(workshop, ignore_errors=True)
+
+
+def _remove_leftovers(out: Path) -> None:
+    """Delete what processes that were killed left of earlier tries."""
+    for leftover in out.parent.glob(f".{glob.escape(out.name)}.partial-*"):
+        process = leftover.name.rpartition("-")[2]
+        if process.isdigit() and (int(process) == os.getpid() or not psutil.pid_exists(int(process))):
+            shutil.rmtree(leftover, ignore_errors=True)

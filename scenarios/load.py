@@ -81,7 +81,7 @@ def _validate(layers: Sequence[Layer]) -> ScenarioEntry:
     try:
         return ScenarioEntry.model_validate(merged, strict=True)
     except ValidationError as error:
-        problem = describe_first_error(error, ScenarioEntry)
+        problem = describe_first_error(error, ScenarioEntry).removeprefix("the file: ")
         key = problem.partition(":")[0]
         raise InputError(f"{_source_of(key, layers)}: {problem}") from None
 

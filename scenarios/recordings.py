@@ -20,6 +20,7 @@ def cached_recording(scenario: Scenario, seed: int, on_bundle: OnBundle) -> Iter
     def render(bag: Path) -> None:
         from sim.recorder import record  # loads the graphics library, which a cached recording does not need
 
+        on_bundle(0, scenario.world.drive.bundle_count)  # the street is built first, which takes seconds
         record(scenario.world, scenario.rig, seed, bag, on_bundle)
 
     with RecordingCache.of_user().recording(recording_digest(scenario, seed), render) as bag:

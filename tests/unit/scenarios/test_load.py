@@ -1,0 +1,106 @@
+"""Scenario files: inheritance, overrides, and one line for whatever is wrong with them."""
+
+from pathlib import Path
+
+import pytest
+
+from estimator.errors import InputError
+from scenarios.load import load_scenario
+
+ABOUT = "about: A drive for a test.\n"
+
+
+def write(folder: Path, name: str, text: str) -> str:
+    path = folder / f"{name}.yaml"
+    path.write_text(text)
+    return str(path)
+
+
+def test_a_file_gets_its_name_and_the_defaults(tmp_path: Path) -> None:
+    scenario = load_scenario(write(tmp_path, "mine", ABOUT + "drive: {speed_mps: 4}"))
+    assert (scenario.name, scenario.about) == ("mine", "A drive for a test.")
+    assert (scenario.world.drive.speed_mps, scenario.world.drive.rate_hz) == (4.0, 10.0)
+    assert scenario.rig.reference == "front"
+
+
+def test_base_gives_what_the_file_does_not(tmp_path: Path) -> None:
+    write(tmp_path, "lower", ABOUT + "drive: {speed_mps: 4, rate_hz: 20}")
+    scenario = load_scenario(write(tmp_path, "upper", "base: ./lower.yaml\ndrive: {speed_mps: 6}"))
+    assert (scenario.world.drive.speed_mps, scenario.world.drive.rate_hz) == (6.0, 20.0)
+
+
+def test_set_wins_over_the_file_and_the_last_set_wins() -> None:
+    scenario = load_scenario("first_drive", ["drive.speed_mps=8", "drive.speed_mps=9", "weather={}"])
+    assert (scenario.world.drive.speed_mps, scenario.world.drive.distance_m) == (9.0, 50.0)
+
+
+def test_a_rig_file_is_looked_up_from_the_file_that_names_it(tmp_path: Path) -> None:
+    bundled = Path(__file__).parents[3] / "scenarios" / "rigs" / "gap.yaml"
+    (tmp_path / "deep").mkdir()
+    own = bundled.read_text().replace("rotation_deg: 3.0", "rotation_deg: 2.5")
+    (tmp_path / "deep" / "own.yaml").write_text(own)
+    write(tmp_path / "deep", "lower", ABOUT + "rig: ./own.yaml")
+    scenario = load_scenario(write(tmp_path, "upper", "base: deep/lower.yaml"))
+    assert scenario.rig.prior.rotation_deg == 2.5
+
+
+def test_bases_in_a_circle_are_refused(tmp_path: Path) -> None:
+    write(tmp_path, "a", ABOUT + "base: ./b.yaml")
+    with pytest.raises(InputError, match="circle: b -> a -> b"):
+        load_scenario(write(tmp_path, "b", ABOUT + "base: ./a.yaml"))
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "got nothing, wanted a scenario"),
+        ("- 1", "got list, wanted a scenario"),
+        ("drive: {speed_mps: 5}", "about: missing"),
+        ("about: [", "not valid YAML"),
+        (ABOUT + ABOUT, "key 'about' is given twice"),
+        (ABOUT + "drive: {speed: 5}", "drive.speed: unknown key; there are: distance_m, rate_hz, speed_mps"),
+        (ABOUT + "speed: 5", "speed: unknown key; there are: about, drive"),
+        (ABOUT + "drive: {speed_mps: .nan}", "drive.speed_mps: got nan, wanted a finite number"),
+        (ABOUT + "drive: {speed_mps: -1}", "drive.speed_mps: got -1, wanted greater than 0"),
+        (ABOUT + "drive: {speed_mps: '5'}", "drive.speed_mps: got '5', wanted a number"),
+        (ABOUT + "drive: 5", "drive: got 5, wanted keys with values"),
+        (ABOUT + "base: nope", "base: scenario 'nope' is not known; there are: first_drive"),
+        (ABOUT + "base: [1]", "base: got [1], wanted the name or file"),
+        (ABOUT + "rig: gapp", "rig 'gapp' is not known; there are: gap (did you mean 'gap'?)"),
+        (ABOUT + "rig: ./none.yaml", "none.yaml: no such rig file"),
+        (ABOUT + "1: 2", "[1]: got 1, wanted "),
+    ],
+)
+def test_a_wrong_file_is_one_line(tmp_path: Path, text: str, message: str) -> None:
+    with pytest.raises(InputError) as error:
+        load_scenario(write(tmp_path, "wrong", text))
+    assert message in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("setting", "message"),
+    [
+        ("drive.speed_mps", "wanted KEY=VALUE"),
+        ("drive..speed_mps=3", "wanted KEY=VALUE"),
+        ("drive.speed_mps=[", "not valid YAML"),
+        ("drive.sped_mps=3", "--set: drive.sped_mps: unknown key; there are: distance_m, rate_hz, speed_mps"),
+        ("base=quick_look", "a base is chosen in the file"),
+        ("drive.speed_mps=", "got None, wanted a number"),
+    ],
+)
+def test_a_wrong_set_is_one_line(setting: str, message: str) -> None:
+    with pytest.raises(InputError) as error:
+        load_scenario("first_drive", [setting])
+    assert message in str(error.value)
+
+
+def test_an_error_names_the_file_that_holds_the_key(tmp_path: Path) -> None:
+    write(tmp_path, "lower", ABOUT + "drive: {rate_hz: 0}")
+    with pytest.raises(InputError, match=r"lower\.yaml: drive\.rate_hz: got 0"):
+        load_scenario(write(tmp_path, "upper", "base: ./lower.yaml\ndrive: {speed_mps: 6}"))
+
+
+def test_an_unknown_scenario_lists_what_there_is() -> None:
+    with pytest.raises(InputError, match=r"is not known; there are: .*did you mean 'first_drive'"):
+        load_scenario("first_driv")
