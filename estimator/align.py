@@ -14,7 +14,7 @@ from estimator.anchors import Anchors
 from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index
-from estimator.patches import normalised, plane_warp, sample_patches
+from estimator.patches import Patches, normalised, plane_warp, sample_patches
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -24,6 +24,7 @@ class AlignConfig(Config):
 
     half_px: int = 6
     steps: int = 8
+    settled_px: float = 0.005
     min_likeness: float = 0.8
     max_shift_px: float = 3.0
     max_stretch: float = 3.0
@@ -100,15 +101,17 @@ def align(
         warp[rows],
         config.half_px + 1,
     )
-    steepest, gradient, reference = _prepare(template)
+    solver, reference = _prepare(template)
     at = start_px[rows].copy()
+    moving = np.arange(len(rows))
     for _ in range(config.steps):
-        seen = sample_patches(images, keyframe[rows], camera[rows], at, None, config.half_px)
-        flat, _ = normalised(seen)
-        error = flat - reference
-        step = np.einsum("nij,nj->ni", steepest, np.einsum("npi,np->ni", gradient, error))
-        at -= np.clip(step, -1.0, 1.0)
-        if np.abs(step).max() < 0.003:
+        where = rows[moving]
+        seen = sample_patches(images, keyframe[where], camera[where], at[moving], None, config.half_px)
+        error = normalised(seen)[0] - reference[moving]
+        step = np.clip((solver[moving] @ error[..., None])[..., 0], -1.0, 1.0)
+        at[moving] -= step
+        moving = moving[np.abs(step).max(1) > config.settled_px]
+        if len(moving) == 0:
             break
     seen = sample_patches(images, keyframe[rows], camera[rows], at, None, config.half_px)
     alike = (normalised(seen)[0] * reference).sum(1)
@@ -119,17 +122,15 @@ def align(
     return Aligned(pixels, likeness)
 
 
-def _prepare(template: np.ndarray) -> tuple[Array, Array, Array]:
-    """Return inverse Hessians (N, 2, 2), gradients (N, P*P, 2) and normalised inner patches (N, P*P)."""
-    inner = template[:, 1:-1, 1:-1]
-    reference, norm = normalised(inner)
+def _prepare(template: Patches) -> tuple[Patches, Patches]:
+    """Return (N, 2, P*P) maps from a difference to a shift, and (N, P*P) normalised inner patches."""
+    reference, norm = normalised(template[:, 1:-1, 1:-1])
     along_x = 0.5 * (template[:, 1:-1, 2:] - template[:, 1:-1, :-2])
     along_y = 0.5 * (template[:, 2:, 1:-1] - template[:, :-2, 1:-1])
-    gradient = np.stack([along_x, along_y], -1).reshape(len(template), -1, 2).astype(float)
-    gradient -= gradient.mean(1, keepdims=True)
+    gradient = np.stack([along_x, along_y], 1).reshape(len(template), 2, -1)
+    gradient -= gradient.mean(2, keepdims=True)
     gradient /= np.maximum(norm, 1e-6)[:, None, None]
     # Contrast is free: a change along the patch itself is no shift.
-    gradient -= reference[..., None] * np.einsum("np,npi->ni", reference, gradient)[:, None]
-    hessian = np.einsum("npi,npj->nij", gradient, gradient)
-    hessian += 1e-6 * np.eye(2)
-    return np.linalg.inv(hessian), gradient, reference
+    gradient -= (gradient @ reference[..., None]) * reference[:, None]
+    hessian = gradient @ gradient.transpose(0, 2, 1) + np.float32(1e-6) * np.eye(2, dtype=np.float32)
+    return np.linalg.inv(hessian) @ gradient, reference

@@ -18,6 +18,7 @@ _NEWTON_STEPS = 40
 _CONVERGED = 1e-14  # of the plane's unit, times the value where it exceeds 1: 1e-11 px at f = 1000
 _ACCEPTED = 1e-13
 _TABLE_SIZE = 2048
+_LARGEST_RADIUS = 1e6
 
 
 def distort_brown_conrady(plane: Array, coefficients: Array) -> tuple[Array, Array]:
@@ -100,7 +101,7 @@ def _radial_guess(distorted: Array, coefficients: Array) -> Array:
     else:
         top = 1.0
         farthest = float(np.max(radius_d, initial=0.0, where=np.isfinite(radius_d)))
-        while _radial(np.array([top]), k1, k2, k3)[0] < farthest + 0.1:
+        while top < _LARGEST_RADIUS and _radial(np.array([top]), k1, k2, k3)[0] < farthest + 0.1:
             top *= 2.0
     table, table_d = _radial_table(k1, k2, k3, top)
     radius = np.interp(radius_d, table_d, table)

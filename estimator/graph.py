@@ -28,7 +28,7 @@ class GraphConfig(Config):
     ride_height_sigma_m: float = 0.02
     ride_tilt_sigma_rad: float = 0.01
     iterations: int = 12
-    relative_tolerance: float = 1e-4
+    relative_tolerance: float = 1e-3
 
 
 @dataclass(frozen=True)

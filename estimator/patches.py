@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import cv2
 import numpy as np
@@ -15,6 +15,7 @@ from estimator.se3 import Array
 
 Patches = npt.NDArray[np.float32]
 _STEP_PX = 3.0
+_ROWS_AT_ONCE = 1000
 
 
 def sample_patches(
@@ -30,23 +31,32 @@ def sample_patches(
     ``images[keyframe][camera]`` must exist for every row. Beyond the border the edge is repeated.
     """
     side = 2 * half_px + 1
-    offset = np.arange(-half_px, half_px + 1, dtype=float)
+    offset = np.arange(-half_px, half_px + 1, dtype=np.float32)
     grid = np.stack(np.meshgrid(offset, offset), -1).reshape(-1, 2)
     out = np.empty((len(centers_px), side, side), np.float32)
-    group = keyframe * 1000 + camera
-    for value in np.unique(group):
-        image = images[int(value) // 1000][int(value) % 1000]
-        rows = np.flatnonzero(group == value)
-        for chunk in np.array_split(rows, max(1, len(rows) // 1000)):
-            moved = np.broadcast_to(grid, (len(chunk), *grid.shape))
-            if affine is not None:
-                moved = np.einsum("nij,pj->npi", affine[chunk], grid)
-            where = (centers_px[chunk, None] + moved).astype(np.float32).reshape(-1, side, 2)
-            patch = cv2.remap(
-                image, where[..., 0], where[..., 1], cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
-            )
-            out[chunk] = patch.reshape(-1, side, side)
+    centers = centers_px.astype(np.float32)
+    maps = None if affine is None else affine.astype(np.float32).transpose(0, 2, 1)
+    for rows, image in _by_image(images, keyframe, camera):
+        moved = grid if maps is None else grid @ maps[rows]
+        where = (centers[rows, None] + moved).reshape(-1, side, 2)
+        patch = cv2.remap(image, where, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        out[rows] = patch.reshape(-1, side, side)
     return out
+
+
+def _by_image(
+    images: Sequence[Sequence[Image | None]], keyframe: Index, camera: Index
+) -> Iterator[tuple[Index, Image]]:
+    """Yield the rows that read each image, a thousand at a time: OpenCV's remap takes no taller map."""
+    cameras = len(images[0])
+    group = keyframe * cameras + camera
+    order = np.argsort(group, kind="stable")
+    edges = np.flatnonzero(np.diff(group[order])) + 1
+    for rows in np.split(order, edges) if len(order) else ():
+        image = images[int(keyframe[rows[0]])][int(camera[rows[0]])]
+        assert image is not None, "a sighting without an image"
+        for chunk in np.array_split(rows, -(-len(rows) // _ROWS_AT_ONCE)):
+            yield chunk, image
 
 
 def plane_warp(
@@ -95,9 +105,9 @@ def plane_warp(
     return np.stack(columns, -1)
 
 
-def normalised(patches: Patches) -> tuple[Array, Array]:
+def normalised(patches: Patches) -> tuple[Patches, Patches]:
     """Return (N, P*P) patches of zero mean and unit norm, and their (N,) norms before that."""
-    flat = patches.reshape(len(patches), -1).astype(float)
+    flat = patches.reshape(len(patches), -1)
     flat = flat - flat.mean(1, keepdims=True)
-    norm = np.linalg.norm(flat, axis=1)
+    norm = np.sqrt(np.square(flat).sum(1))
     return flat / np.maximum(norm, 1e-6)[:, None], norm
