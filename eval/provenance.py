@@ -11,17 +11,24 @@ from typing import Any
 
 from estimator.interface import EstimatorFactory
 from eval.code_digest import code_digest
+from scenarios.recordings import fingerprint_of
 
 _PACKAGES = ("rigtrue", "gtsam", "mujoco", "numpy", "opencv-python-headless", "poselib", "scipy")
 
 
-def provenance(make_estimator: EstimatorFactory) -> dict[str, Any]:
-    """Return what made a result, as JSON values; what is not known is None."""
+def provenance(make_estimator: EstimatorFactory, bag: Path) -> dict[str, Any]:
+    """Return what made a result, as JSON values; what is not known is None.
+
+    Args:
+        make_estimator: The estimator, whose code is part of it.
+        bag: The recording, which says what rendered it if it was simulated.
+    """
     return {
         "commit": _git_commit(),
         "code": code_digest(make_estimator),
         "python": platform.python_version(),
         "versions": {name: package_version(name) for name in _PACKAGES},
+        "renderer": fingerprint_of(bag),
         "cpu": _cpu_model(),
         "cpu_count": os.cpu_count(),
         "platform": platform.platform(),

@@ -42,6 +42,6 @@ def replay(request: ReplayRequest, console: Console) -> RunResult:
     out = request.out or RUNS / f"{name}-{request.estimator.replace(':', '.')}"
     with replacing_run_folder(out) as folder, keeping_traceback(out):
         digest = folder_digest(request.bag)
-        header = RunHeader(name, digest, None, request.estimator, provenance(make_estimator))
+        header = RunHeader(name, digest, None, request.estimator, provenance(make_estimator, request.bag))
         result = judge_recording(request.bag, rig, make_estimator, header, folder, console)
     return replace(result, folder=out)

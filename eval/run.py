@@ -39,14 +39,19 @@ def run(request: RunRequest, console: Console) -> RunResult:
     make_estimator = find_estimator(request.estimator)
     digest = recording_digest(scenario, request.seed)
     out = request.out or RUNS / run_name(scenario.name, request.seed, request.estimator)
-    header = RunHeader(
-        scenario.name, digest, request.seed, request.estimator, provenance(make_estimator), scenario.about
-    )
     with replacing_run_folder(out) as folder, keeping_traceback(out):
         console.detail(f"recording {digest}")
         with cached_recording(
             scenario, request.seed, lambda done, total: console.progress("rendering", done, total)
         ) as bag:
+            header = RunHeader(
+                scenario.name,
+                digest,
+                request.seed,
+                request.estimator,
+                provenance(make_estimator, bag),
+                scenario.about,
+            )
             result = judge_recording(bag, scenario.rig, make_estimator, header, folder, console)
     return replace(result, folder=out)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,6 +11,7 @@ from scenarios.cache import RecordingCache
 from scenarios.digest import recording_digest
 from scenarios.scenario import Scenario
 
+FINGERPRINT = "fingerprint.json"  # beside the bag's own files: what the pictures depend on besides the digest
 OnBundle = Callable[[int, int], None]
 
 
@@ -18,10 +20,21 @@ def cached_recording(scenario: Scenario, seed: int, on_bundle: OnBundle) -> Iter
     """Yield the bag of a scenario and seed; ``on_bundle(i, n)`` is called only if it must be rendered."""
 
     def render(bag: Path) -> None:
-        from sim.recorder import record  # loads the graphics library, which a cached recording does not need
+        # These load the graphics library, which a cached recording does not need.
+        from sim.fingerprint import fingerprint
+        from sim.recorder import record
 
         on_bundle(0, scenario.world.drive.bundle_count)  # the street is built first, which takes seconds
         record(scenario.world, scenario.rig, seed, bag, on_bundle)
+        (bag / FINGERPRINT).write_text(json.dumps(fingerprint(), indent=1))
 
     with RecordingCache.of_user().recording(recording_digest(scenario, seed), render) as bag:
         yield bag
+
+
+def fingerprint_of(bag: Path) -> dict[str, str] | None:
+    """Return what rendered a bag; None for one that says nothing of it."""
+    try:
+        return dict(json.loads((bag / FINGERPRINT).read_text()))
+    except (OSError, ValueError):
+        return None
