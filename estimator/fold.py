@@ -6,7 +6,6 @@ from functools import lru_cache
 
 import numpy as np
 
-
 _FARTHEST = 1e3  # a turn beyond this radius or angle is none: no lens reaches it
 
 
