@@ -45,10 +45,10 @@ class MatchPictureKeeper:
             self._recent_bytes -= _byte_count(oldest)
 
     def offer(self, matches: Sequence[Match]) -> None:
-        """Take the matches of one update."""
+        """Take the matches of one update; those within a camera, or of one the rig lacks, are no links."""
         groups: dict[tuple[Pair, tuple[int, int]], list[Match]] = defaultdict(list)
         for match in matches:
-            if match.camera_a == match.camera_b:
+            if match.camera_a == match.camera_b or not {match.camera_a, match.camera_b} <= self._rank.keys():
                 continue
             ordered = self._ordered(match)
             pair = ordered.camera_a, ordered.camera_b
@@ -59,8 +59,7 @@ class MatchPictureKeeper:
             self._keep_if_best(pair, stamps, group)
 
     def _ordered(self, match: Match) -> Match:
-        last = len(self._rank)
-        if self._rank.get(match.camera_a, last) <= self._rank.get(match.camera_b, last):
+        if self._rank[match.camera_a] < self._rank[match.camera_b]:
             return match
         return Match(
             camera_a=match.camera_b,

@@ -47,6 +47,13 @@ def car_rows(rig: Rig) -> tuple[list[str], list[str]]:
     return sorted(front, key=lambda name: -front[name]), sorted(rear, key=lambda name: -rear[name])
 
 
+def is_left_of(first: SE3, second: SE3) -> bool:
+    """Tell whether a camera's image belongs left of another's when both are laid side by side."""
+    first_from_second = first.inverse() @ second
+    looks_right, sits_right_m = first_from_second.rotation[0, 2], first_from_second.translation[0]
+    return bool(looks_right + np.radians(_DEG_PER_M) * sits_right_m > 0)
+
+
 def view_fan_ego(camera: Camera, ego_from_cam: SE3) -> Array:
     """Return the (N + 1, 2) outline, in ego x and y, of what the middle row of the image sees within 1 m."""
     columns = np.linspace(-0.5, camera.size_px[0] - 0.5, _FAN_POINTS)

@@ -52,7 +52,8 @@ def x_axis(series: Mapping[str, Any]) -> tuple[Sequence[float], str]:
 def _traces(
     x: Sequence[float], values: Sequence[Any], stated: Sequence[Any], floor: float, name: str
 ) -> list[go.Scatter]:
-    # The band is drawn from the floor of the axis: zero has no place on a log axis.
+    # Steps, for an online estimate holds until the next one. The band is drawn from the floor of the axis:
+    # zero has no place on a log axis.
     edge = [None if value is None else max(value, floor) for value in stated]
     shown = [None if value is None else max(value, floor) for value in values]
     common = {"x": list(x), "mode": "lines"}
@@ -62,13 +63,17 @@ def _traces(
             **common,
             y=edge,
             name="stated 95 %",
-            line={"color": BLUE, "width": 1},
+            line={"color": BLUE, "width": 1, "shape": "hv"},
             fill="tonexty",
             fillcolor=faded(BLUE, 0.16),
             hovertemplate="%{y:.3g}",
         ),
         go.Scatter(
-            **common, y=shown, name=name, line={"color": VERMILLION, "width": 2.2}, hovertemplate="%{y:.3g}"
+            **common,
+            y=shown,
+            name=name,
+            line={"color": VERMILLION, "width": 2.2, "shape": "hv"},
+            hovertemplate="%{y:.3g}",
         ),
     ]
 

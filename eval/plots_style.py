@@ -42,6 +42,7 @@ def styled(figure: go.Figure, height_px: int, *, legend: bool = True) -> go.Figu
         dragmode=False,
     )
     figure.update_xaxes(gridcolor=_GRID, zeroline=False, linecolor="#9aa5b1", ticks="outside")
+    figure.update_yaxes(title_standoff=8, automargin=True)
     figure.update_yaxes(gridcolor=_GRID, zeroline=False, linecolor="#9aa5b1", ticks="outside")
     return figure
 

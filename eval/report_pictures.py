@@ -10,6 +10,7 @@ import numpy as np
 
 from eval.collect import RunLog
 from eval.match_pictures import MatchPicture, Pair
+from eval.mounting import is_left_of
 from eval.thumbnails import Moment, Thumbnail
 
 _JPEG_QUALITY = 80
@@ -48,32 +49,35 @@ def match_pictures(log: RunLog) -> list[dict[str, Any]]:
     """Return one entry for each pair of cameras that shared landmarks, the pair with most matches first."""
     keeper = log.match_pictures
     totals = keeper.same_time_counts + keeper.later_counts
-    return [
-        {
-            "cameras": list(pair),
-            "same_time_count": keeper.same_time_counts[pair],
-            "later_count": keeper.later_counts[pair],
-            **_match_picture(keeper.pictures.get(pair), log.first_stamp_ns),
-        }
-        for pair, _ in sorted(totals.items(), key=lambda item: (-item[1], _rank(item[0], log)))
-    ]
+    ordered = sorted(totals.items(), key=lambda item: (-item[1], _rank(item[0], log)))
+    return [_pair(pair, log) for pair, _ in ordered]
 
 
-def _match_picture(picture: MatchPicture | None, first_ns: int) -> dict[str, Any]:
-    if picture is None:
-        return {"images": None}
+def _pair(pair: Pair, log: RunLog) -> dict[str, Any]:
+    """Return counts and picture of a pair, the camera that looks further left first."""
+    keeper = log.match_pictures
+    first, second = (log.rig[name].ego_from_cam for name in pair)
+    step = 1 if is_left_of(first, second) else -1
+    counts = {"same_time_count": keeper.same_time_counts[pair], "later_count": keeper.later_counts[pair]}
+    entry: dict[str, Any] = {"cameras": list(pair[::step]), **counts, "images": None}
+    picture = keeper.pictures.get(pair)
+    return entry if picture is None else entry | _match_picture(picture, log.first_stamp_ns, step)
+
+
+def _match_picture(picture: MatchPicture, first_ns: int, step: int) -> dict[str, Any]:
     shown = picture.matches[:: max(1, -(-len(picture.matches) // _MAX_LINES))]
+    ends = [(match.pixel_a, match.pixel_b)[::step] for match in shown]
     return {
-        "images": [_picture(small) for small in picture.thumbnails],
-        "times_s": [(stamp - first_ns) * 1e-9 for stamp in picture.stamps_ns],
+        "images": [_picture(small) for small in picture.thumbnails[::step]],
+        "times_s": [(stamp - first_ns) * 1e-9 for stamp in picture.stamps_ns[::step]],
         "match_count": len(picture.matches),
-        "lines": [[*_rounded(match.pixel_a), *_rounded(match.pixel_b)] for match in shown],
+        "lines": [[*_rounded(left), *_rounded(right)] for left, right in ends],
     }
 
 
 def _rank(pair: Pair, log: RunLog) -> tuple[int, ...]:
     names = tuple(log.rig.cameras)
-    return tuple(names.index(name) if name in names else len(names) for name in pair)
+    return tuple(names.index(name) for name in pair)
 
 
 def _rounded(pixel: tuple[float, float]) -> list[float]:

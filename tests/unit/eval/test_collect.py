@@ -56,9 +56,9 @@ def test_images_of_old_bundles_are_let_go():
     keeper = MatchPictureKeeper(("a", "b"))
     for stamp in range(300):
         keeper.remember(stamp, {"a": thumbnail(np.zeros((1000, 1000), np.uint8))})
-    keeper.offer([Match("a", 0, (0, 0), "a2", 299, (1, 1))])
+    keeper.offer([Match("a", 0, (0, 0), "b", 299, (1, 1))])
     assert not keeper.pictures
-    assert keeper.later_counts == {("a", "a2"): 1}
+    assert keeper.later_counts == {("a", "b"): 1}
 
 
 def test_cpu_time_counts_inside_the_estimator_only():
@@ -76,3 +76,9 @@ def test_a_log_keeps_one_entry_a_bundle():
     log = run_log(straight(4))
     assert len(log.entries) == 4
     assert set(log.entries[0].cameras) == set(RIG.cameras)
+
+
+def test_matches_that_link_no_two_cameras_of_the_rig_are_left_out():
+    keeper = MatchPictureKeeper(("a", "b"))
+    keeper.offer([Match("a", 0, (0, 0), "a", 9, (1, 1)), Match("a", 0, (0, 0), "unknown", 0, (1, 1))])
+    assert not keeper.same_time_counts and not keeper.later_counts

@@ -5,7 +5,7 @@ import pytest
 
 from estimator.rig import MountedCamera, Rig
 from estimator.se3 import SE3
-from eval.mounting import car_rows, roll_pitch_yaw_deg, view_fan_ego
+from eval.mounting import car_rows, is_left_of, roll_pitch_yaw_deg, view_fan_ego
 from tests.unit.eval.tiny_run import CAMERA, looking
 
 
@@ -39,3 +39,13 @@ def test_the_fan_opens_as_wide_as_the_view():
     assert apex == pytest.approx([2, 0])
     half_deg = np.degrees(np.arctan(32 / 40))
     assert np.degrees(np.arctan2(arc[0][1], arc[0][0] - 2)) == pytest.approx(half_deg)
+
+
+def test_images_lie_side_by_side_as_the_views_do():
+    front, left, right = looking(0, 2, 0.1), looking(60, 1, 0.9), looking(-60, 1, -0.9)
+    assert is_left_of(left, front) and is_left_of(front, right)
+    assert not is_left_of(front, left) and not is_left_of(right, front)
+    assert is_left_of(front, looking(2, 2, -0.25))  # beside it and nearly parallel
+    assert is_left_of(
+        looking(180, -2, 0), looking(150, 0.6, 0.9)
+    )  # looking back, the car's left is to the right
