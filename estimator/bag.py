@@ -72,13 +72,12 @@ class Bag:
         self._stack.close()
 
     def _open_sources(self) -> list[MessageSource]:
-        files = storage_files(self.path)
-        if self.path.is_dir() and (self.path / "metadata.yaml").is_file():
+        if (self.path / "metadata.yaml").is_file():
             try:
                 return [self._stack.enter_context(IntactSource(self.path))]
             except InputError:
                 pass  # perhaps only the metadata or only one file is broken: look at each file
-        return [self._open_file(file) for file in files]
+        return [self._open_file(file) for file in storage_files(self.path)]
 
     def _open_file(self, file: Path) -> MessageSource:
         try:

@@ -103,12 +103,18 @@ def truth_entries(
     return entries
 
 
-def write_bag(folder: Path, entries: Sequence[Entry], *, storage: str = "mcap") -> Path:
+def write_bag(
+    folder: Path,
+    entries: Sequence[Entry],
+    *,
+    storage: str = "mcap",
+    compression: CompressionMode = CompressionMode.STORAGE,
+) -> Path:
     """Write messages in the order given; topics are made in the order in which they first come."""
     plugin = StoragePlugin.MCAP if storage == "mcap" else StoragePlugin.SQLITE3
     writer = Writer(folder, version=9, storage_plugin=plugin)
-    if storage == "mcap":
-        writer.set_compression(CompressionMode.STORAGE, CompressionFormat.ZSTD)
+    if storage == "mcap" and compression is not CompressionMode.NONE:
+        writer.set_compression(compression, CompressionFormat.ZSTD)
     with writer:
         connections: dict[str, Any] = {}
         for entry in entries:

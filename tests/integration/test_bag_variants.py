@@ -8,6 +8,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from rosbags.rosbag2 import CompressionMode
 
 from estimator.bundle import FrameBundle
 from estimator.recording import Recording
@@ -72,6 +73,21 @@ def test_the_file_itself_and_a_folder_without_metadata(tmp_path: Path) -> None:
 def test_sqlite_storage(tmp_path: Path) -> None:
     frames = frames_of(RIG)
     assert_bundles(read(write_bag(tmp_path / "bag", raw_entries(frames), storage="sqlite3")), frames)
+
+
+@pytest.mark.parametrize("compression", [CompressionMode.NONE, CompressionMode.FILE, CompressionMode.MESSAGE])
+def test_other_compressions(tmp_path: Path, compression: CompressionMode) -> None:
+    frames = frames_of(RIG)
+    assert_bundles(read(write_bag(tmp_path / "bag", raw_entries(frames), compression=compression)), frames)
+
+
+def test_a_recording_split_into_files_is_read_in_their_order(tmp_path: Path) -> None:
+    frames = frames_of(RIG, count=20)
+    (tmp_path / "split").mkdir()
+    for number, part in ((2, frames[:31]), (10, frames[31:])):  # the cut goes through a bundle
+        bag = write_bag(tmp_path / f"part{number}", raw_entries(part))
+        next(bag.glob("*.mcap")).rename(tmp_path / "split" / f"drive_{number}.mcap")
+    assert_bundles(read(tmp_path / "split"), frames)
 
 
 @pytest.mark.parametrize("seed", [0, 1])
