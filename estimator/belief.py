@@ -29,7 +29,8 @@ class Belief:
     @staticmethod
     def nominal(rig: Rig) -> Belief:
         """Return what the rig file says: its poses and, for each camera alike, its prior."""
-        return Belief(rig, np.kron(np.eye(len(rig.estimated_names)), rig.prior.covariance))
+        covariance = np.kron(np.eye(len(rig.estimated_names)), rig.prior.covariance)
+        return Belief(rig, np.asarray(covariance, float))
 
     def camera_covariance(self, name: str) -> Array:
         """Return the (6, 6) covariance of one camera; zero for the reference."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import cv2
 import numpy as np
 import numpy.typing as npt
@@ -41,16 +43,17 @@ def follow(
         return np.zeros((0, 2)), np.zeros(0, bool)
     start = points_px.astype(np.float32).reshape(-1, 1, 2)
     guess = guess_px.astype(np.float32).reshape(-1, 1, 2)
-    options = {
-        "winSize": (config.window_px, config.window_px),
-        "maxLevel": config.levels,
-        "criteria": (cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, 30, 0.01),
-        "flags": cv2.OPTFLOW_USE_INITIAL_FLOW,
-        "minEigThreshold": 1e-4,
-    }
-    moved, found, _ = cv2.calcOpticalFlowPyrLK(before, after, start, guess.copy(), **options)
+    lucas_kanade = partial(
+        cv2.calcOpticalFlowPyrLK,
+        winSize=(config.window_px, config.window_px),
+        maxLevel=config.levels,
+        criteria=(cv2.TERM_CRITERIA_EPS | cv2.TERM_CRITERIA_COUNT, 30, 0.01),
+        flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
+        minEigThreshold=1e-4,
+    )
+    moved, found, _ = lucas_kanade(before, after, start, guess.copy())
     # The way back begins off the right answer by the way that the way there began off it: no free pass.
-    back, found_back, _ = cv2.calcOpticalFlowPyrLK(after, before, moved, start + (moved - guess), **options)
+    back, found_back, _ = lucas_kanade(after, before, moved, start + (moved - guess))
     error_px = np.linalg.norm((back - start).reshape(-1, 2), axis=1)
     height, width = after.shape
     moved = moved.reshape(-1, 2).astype(float)

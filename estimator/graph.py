@@ -1,41 +1,29 @@
-"""Adjust poses, extrinsics and landmarks of a window together, as a GTSAM factor graph.
-
-Measurements are moved to the undistorted normalised plane, with their covariance, so that one factor type
-serves every lens; see ``Camera``. The reference camera's extrinsics are constants: that is the gauge.
-"""
+"""Adjust poses, extrinsics and landmarks of a window together, as a GTSAM factor graph."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 import gtsam
-import gtsam_unstable
 import numpy as np
 
 from estimator.belief import Belief
-from estimator.config import Config
+from estimator.factors import (
+    GraphConfig,
+    Loss,
+    add_cameras,
+    add_landmarks,
+    add_poses,
+    add_sightings,
+    camera_key,
+    estimated,
+    from_gtsam,
+    landmark_key,
+    pose_key,
+)
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
-from estimator.se3 import SE3, Array
-
-_PLANE = gtsam.Cal3_S2(1.0, 1.0, 0.0, 0.0, 0.0)
-
-
-class GraphConfig(Config):
-    """What is believed besides the images."""
-
-    road_sigma_m: float = 0.02
-    ride_height_sigma_m: float = 0.02
-    ride_tilt_sigma_rad: float = 0.01
-    iterations: int = 12
-    relative_tolerance: float = 1e-3
-
-
-@dataclass(frozen=True)
-class Loss:
-    """A Cauchy loss: residuals well above ``scale_px`` lose their say."""
-
-    scale_px: float
+from estimator.se3 import Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,26 +38,6 @@ class Adjusted:
 
     scene: Scene
     covariance: Array
-
-
-def pose_key(keyframe: int) -> int:
-    return int(gtsam.symbol("x", keyframe))
-
-
-def camera_key(camera: int) -> int:
-    return int(gtsam.symbol("e", camera))
-
-
-def landmark_key(landmark: int) -> int:
-    return int(gtsam.symbol("l", landmark))
-
-
-def to_gtsam(pose: SE3) -> gtsam.Pose3:
-    return gtsam.Pose3(gtsam.Rot3(pose.rotation), pose.translation)
-
-
-def from_gtsam(pose: gtsam.Pose3) -> SE3:
-    return SE3(pose.rotation().matrix(), np.asarray(pose.translation()))
 
 
 def adjust(
@@ -102,10 +70,10 @@ def adjust(
         RuntimeError: The system could not be solved.
     """
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
-    _add_poses(graph, values, scene, config, fixed_poses)
-    _add_landmarks(graph, values, scene, observations, on_road, config)
-    _add_sightings(graph, scene, observations, loss)
-    _add_cameras(graph, values, scene, belief)
+    add_poses(graph, values, scene, config, fixed_poses)
+    add_landmarks(graph, values, scene, observations, on_road, config)
+    add_sightings(graph, scene, observations, loss)
+    add_cameras(graph, values, scene, belief)
     parameters = gtsam.LevenbergMarquardtParams()
     parameters.setMaxIterations(config.iterations)
     parameters.setRelativeErrorTol(config.relative_tolerance)
@@ -114,111 +82,9 @@ def adjust(
     return Adjusted(_read_back(values, scene, observations), covariance)
 
 
-def _add_poses(
-    graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene, config: GraphConfig, fixed: bool
-) -> None:
-    tilt, height = config.ride_tilt_sigma_rad, config.ride_height_sigma_m
-    gauge = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e-5, 1e-4, 1e-4, height]))
-    ride = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e3, 1e3, 1e3, height]))
-    rigid = gtsam.noiseModel.Isotropic.Sigma(6, 1e-6)
-    for index, pose in enumerate(scene.world_from_egos):
-        values.insert(pose_key(index), to_gtsam(pose))
-        level = to_gtsam(_levelled(pose))
-        if fixed:
-            graph.add(gtsam.PriorFactorPose3(pose_key(index), to_gtsam(pose), rigid))
-        else:
-            graph.add(gtsam.PriorFactorPose3(pose_key(index), level, ride if index else gauge))
-
-
-def _levelled(pose: SE3) -> SE3:
-    """Return the pose with its heading and place kept, upright on z = 0."""
-    heading = np.arctan2(pose.rotation[1, 0], pose.rotation[0, 0])
-    flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0])).rotation
-    return SE3(flat, pose.translation * np.array([1.0, 1.0, 0.0]))
-
-
-def _add_landmarks(
-    graph: gtsam.NonlinearFactorGraph,
-    values: gtsam.Values,
-    scene: Scene,
-    observations: Observations,
-    on_road: Mask,
-    config: GraphConfig,
-) -> None:
-    road = gtsam.noiseModel.Robust.Create(
-        gtsam.noiseModel.mEstimator.Cauchy.Create(1.5),
-        gtsam.noiseModel.Diagonal.Sigmas(np.array([1e3, 1e3, config.road_sigma_m])),
-    )
-    centre = np.mean([p.translation for p in scene.world_from_egos], axis=0)
-    for index in np.unique(observations.landmark):
-        point = scene.points_world[index]
-        values.insert(landmark_key(index), point)
-        # So weak that it moves nothing; it keeps a landmark without parallax from being indeterminate.
-        far = gtsam.noiseModel.Isotropic.Sigma(3, 20.0 * max(1.0, float(np.linalg.norm(point - centre))))
-        graph.add(gtsam.PriorFactorPoint3(landmark_key(index), point, far))
-        if on_road[index]:
-            graph.add(gtsam.PriorFactorPoint3(landmark_key(index), point * np.array([1, 1, 0]), road))
-
-
-def _add_sightings(
-    graph: gtsam.NonlinearFactorGraph, scene: Scene, observations: Observations, loss: Loss
-) -> None:
-    for index, (name, mounted) in enumerate(scene.rig.cameras.items()):
-        mine = observations.select(observations.camera == index)
-        rays = mounted.camera.unproject(mine.pixels)
-        plane = rays[:, :2] / rays[:, 2:]
-        on_plane = np.column_stack([plane, np.ones(len(plane))])
-        by_plane = mounted.camera.project_with_jacobian(on_plane)[1][:, :, :2]
-        body_from_sensor = to_gtsam(mounted.ego_from_cam)
-        for row in range(len(mine)):
-            noise = _noise(by_plane[row], float(mine.sigma_px[row]), loss)
-            pose, point = pose_key(mine.keyframe[row]), landmark_key(mine.landmark[row])
-            if name == scene.rig.reference:
-                factor = gtsam.GenericProjectionFactorCal3_S2(
-                    plane[row], noise, pose, point, _PLANE, body_from_sensor
-                )
-            else:
-                factor = gtsam_unstable.ProjectionFactorPPPCal3_S2(
-                    plane[row], noise, pose, camera_key(index), point, _PLANE
-                )
-            graph.add(factor)
-
-
-def _noise(pixels_by_plane: Array, sigma_px: float, loss: Loss) -> gtsam.noiseModel.Base:
-    """Whiten a residual on the plane to pixels over sigma, then bound its say."""
-    base = gtsam.noiseModel.Gaussian.SqrtInformation(pixels_by_plane / sigma_px)
-    return gtsam.noiseModel.Robust.Create(
-        gtsam.noiseModel.mEstimator.Cauchy.Create(loss.scale_px / sigma_px), base
-    )
-
-
-def _estimated(scene: Scene) -> list[tuple[int, str]]:
-    """Return index and name of the cameras whose pose is a variable."""
-    return [(i, name) for i, name in enumerate(scene.rig.cameras) if name != scene.rig.reference]
-
-
-def _add_cameras(
-    graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene, belief: Belief
-) -> None:
-    """Add the extrinsics and one joint prior on them: |R (x - mean)|^2 with R^T R the inverse covariance."""
-    means = gtsam.Values()
-    terms = []
-    whitener = np.linalg.cholesky(np.linalg.inv(belief.covariance)).T
-    for block, (index, name) in enumerate(_estimated(scene)):
-        values.insert(camera_key(index), to_gtsam(scene.rig[name].ego_from_cam))
-        means.insert(camera_key(index), to_gtsam(belief.rig[name].ego_from_cam))
-        terms.append((camera_key(index), whitener[:, 6 * block : 6 * block + 6]))
-    if not terms:
-        return
-    # A conditional is the one linear factor that the wrapper builds over any number of variables.
-    unit = gtsam.noiseModel.Unit.Create(len(whitener))
-    joint = gtsam.GaussianConditional(terms, len(terms), np.zeros(len(whitener)), unit)
-    graph.add(gtsam.LinearContainerFactor(gtsam.JacobianFactor(joint), means))
-
-
 def _covariance(graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene) -> Array:
     """Marginalise everything but the extrinsics."""
-    kept = [camera_key(index) for index, _ in _estimated(scene)]
+    kept = [camera_key(index) for index, _ in estimated(scene)]
     linear = graph.linearize(values)
     poses = {pose_key(index) for index in range(len(scene.world_from_egos))}
     eliminated, order = gtsam.Ordering(), gtsam.Ordering()

@@ -14,8 +14,9 @@ from estimator.path import Path
 from estimator.rig import Rig
 from estimator.se3 import SE3
 from estimator.stopwatch import Stopwatch
-from estimator.window import WindowCalibration, WindowConfig, WindowResult
+from estimator.window import WindowCalibration, WindowConfig
 from estimator.window_pace import PaceConfig, is_keyframe
+from estimator.window_result import WindowResult
 
 
 class OnlineConfig(Config):
@@ -106,10 +107,10 @@ class OnlineEstimator:
         corrected = [world_from_first @ first.inverse() @ pose for pose in result.world_from_egos]
         old_last = keyframes[-1].world_from_ego
         new_from_old = corrected[-1] @ old_last.inverse()
-        old_m = np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation)
-        new_m = np.linalg.norm((first.inverse() @ last).translation)
+        old_m = float(np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation))
+        new_m = float(np.linalg.norm((first.inverse() @ last).translation))
         self._path.correct([k.stamp_ns for k in keyframes], corrected)
-        self._front_end.correct(self.belief.rig, new_from_old, float(new_m / max(old_m, 1e-6)))
+        self._front_end.correct(self.belief.rig, new_from_old, new_m / max(old_m, 1e-6))
         self._keyframes = [
             Keyframe(keyframes[-1].stamp_ns, keyframes[-1].images, corrected[-1], keyframes[-1].tracks)
         ]

@@ -14,7 +14,7 @@ from estimator.rig import MountedCamera, Rig, RigPrior
 from estimator.se3 import SE3
 
 _UNIT_TOLERANCE = 1e-3
-_RESERVED_NAMES = frozenset({"worst", "median", "truth"})  # names of metrics and of the truth's topics
+_RESERVED_NAMES = frozenset({"worst", "median"})  # they name metrics over all cameras
 
 
 def _check_unit(quaternion_xyzw: tuple[float, float, float, float]) -> tuple[float, float, float, float]:

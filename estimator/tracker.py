@@ -19,6 +19,11 @@ from estimator.se3 import SE3, Array
 _FAR_M = 15.0  # the distance assumed of a point that has none yet and does not look at the road
 
 
+def _ahead(rays_cam: Array) -> npt.NDArray[np.bool_]:
+    """Tell which rays lie within 80 deg of the optical axis: beyond, the normalised plane is no use."""
+    return np.asarray(rays_cam[:, 2] > 0.17)  # false for NaN
+
+
 class TrackerConfig(Config):
     """Settings of one camera's tracker; long tracks drift and are given up after ``max_travel_m``."""
 
@@ -71,7 +76,7 @@ class Tracker:
             self.previous_pixels, self.pixels = self.pixels, moved
             self.keep(good)
             self.rays_cam = self.camera.unproject(self.pixels)
-            self.keep(np.isfinite(self.rays_cam).all(1))
+            self.keep(_ahead(self.rays_cam))
         self.image = image
 
     def miss(self) -> None:
@@ -86,7 +91,7 @@ class Tracker:
             return
         pixels = detect_corners(self.image, self.pixels, blocked, room, self.config.detect)
         rays = self.camera.unproject(pixels)
-        usable = np.isfinite(rays).all(1)
+        usable = _ahead(rays)
         pixels, rays = pixels[usable], rays[usable]
         count = len(pixels)
         old = {name: getattr(self, name) for name in self._FIELDS}

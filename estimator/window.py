@@ -8,7 +8,7 @@ anchor patch, and all is adjusted together.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,16 +17,16 @@ from estimator.anchors import choose_anchors
 from estimator.belief import Belief
 from estimator.bundle import Image
 from estimator.config import Config
-from estimator.estimate import Match
-from estimator.graph import GraphConfig, Loss, adjust
+from estimator.factors import GraphConfig, Loss
+from estimator.graph import adjust
 from estimator.handover import HandoverConfig, hand_over
 from estimator.keyframe import Keyframe, gather_observations
-from estimator.matches import cross_camera_matches
 from estimator.observations import Mask, Observations
 from estimator.road import level_on_road, road_landmarks
 from estimator.scene import Scene
-from estimator.se3 import SE3, Array
+from estimator.se3 import Array
 from estimator.stopwatch import Stopwatch
+from estimator.window_result import ResultConfig, WindowResult, conclude
 
 
 class WindowConfig(Config):
@@ -39,32 +39,10 @@ class WindowConfig(Config):
     narrow_search_rad: float = 0.008
     scale_sigma: float = 0.03
     road_tolerance_m: float = 0.05
-    min_inliers: int = 150
-    max_median_px: float = 0.7
+    result: ResultConfig = ResultConfig()
     graph: GraphConfig = GraphConfig()
     handover: HandoverConfig = HandoverConfig()
     align: AlignConfig = AlignConfig()
-
-
-@dataclass(frozen=True, eq=False)
-class WindowResult:
-    """What a window taught.
-
-    Attributes:
-        belief: The extrinsics after it.
-        world_from_egos: Pose of the car at each keyframe, in the window's own world: road at z = 0.
-        inlier_count: By camera, sightings that support the belief.
-        link_count: By camera, those among them that tie it to another camera.
-        median_px: Median reprojection error.
-        matches: Landmarks that two cameras share, for people to look at.
-    """
-
-    belief: Belief
-    world_from_egos: tuple[SE3, ...]
-    inlier_count: dict[str, int]
-    link_count: dict[str, int]
-    median_px: float
-    matches: tuple[Match, ...]
 
 
 class WindowCalibration:
@@ -173,30 +151,13 @@ class WindowCalibration:
             )  # fmt: skip
             sigma_px = np.full(len(linked), self.config.anchored_sigma_px)
             fine = replace(linked, pixels=measured.pixels, sigma_px=sigma_px)
-            fine = fine.select(np.isfinite(fine.pixels).all(1)).of_enough_views(2)
+            fine = fine.select(np.asarray(np.isfinite(fine.pixels).all(1))).of_enough_views(2)
         with self.stopwatch.stage("window"):
-            if len(fine) < self.config.min_inliers:
+            if len(fine) < self.config.result.min_inliers:
                 return None
             covariance = self._adjust(fine, Loss(0.5), self.config.road_tolerance_m, want_covariance=True)
-        return self._conclude(fine, covariance)
-
-    def _conclude(self, fine: Observations, covariance: Array) -> WindowResult | None:
-        error_px = self.scene.residuals_px(fine)
-        inliers = fine.select(error_px < 1.5).of_enough_views(2)
-        median_px = float(np.nanmedian(error_px))
-        if len(inliers) < self.config.min_inliers or median_px > self.config.max_median_px:
-            return None
-        counts = np.bincount(inliers.camera, minlength=len(self.names))
-        linked = _shared(inliers)
-        links = np.bincount(inliers.camera[linked], minlength=len(self.names))
-        return WindowResult(
-            Belief(self.scene.rig, covariance),
-            self.scene.world_from_egos,
-            dict(zip(self.names, counts.tolist(), strict=True)),
-            dict(zip(self.names, links.tolist(), strict=True)),
-            median_px,
-            cross_camera_matches(inliers, self.names, [k.stamp_ns for k in self.keyframes]),
-        )
+        stamps_ns = [keyframe.stamp_ns for keyframe in self.keyframes]
+        return conclude(self.scene, fine, covariance, stamps_ns, self.config.result)
 
     def _adjust(
         self,
@@ -224,12 +185,3 @@ class WindowCalibration:
 
     def _nowhere(self) -> Mask:
         return np.zeros(len(self.scene.points_world), bool)
-
-
-def _shared(seen: Observations) -> Mask:
-    """Tell which sightings are of landmarks that more than one camera saw."""
-    count = int(seen.landmark.max(initial=-1)) + 1
-    low, high = np.full(count, 10**6), np.full(count, -1)
-    np.minimum.at(low, seen.landmark, seen.camera)
-    np.maximum.at(high, seen.landmark, seen.camera)
-    return np.asarray((low != high)[seen.landmark])
