@@ -37,7 +37,12 @@ def pose_error(estimated: SE3, true: SE3) -> PoseError:
 
 
 def tangent_error(estimated: SE3, true: SE3) -> Array:
-    """Return the (6,) error ``log(inv(estimated) @ true)``, in the tangent of the stated covariance."""
+    """Return the (6,) error ``log(inv(estimated) @ true)``, in the tangent of the stated covariance.
+
+    NaN where the estimate is not finite.
+    """
+    if not np.isfinite(estimated.matrix).all():
+        return np.full(6, np.nan)
     return estimated.local(true)
 
 

@@ -55,6 +55,8 @@ def squared_distances(log: RunLog, truth: TruthTrack | None) -> dict[str, float]
         error = tangent_error(estimate.ego_from_cam, true_poses[name])
         distance = squared_mahalanobis(error, estimate.covariance)
         if distance is None:
-            return Missing(f"the covariance of camera {name!r} is not positive definite")
+            return Missing(
+                f"the pose of camera {name!r} is not finite or its covariance not positive definite"
+            )
         distances[name] = distance
     return distances

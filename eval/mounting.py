@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from estimator.camera import Camera
 from estimator.rig import Rig
@@ -31,8 +30,9 @@ def roll_pitch_yaw_deg(ego_from_cam: SE3, near: SE3) -> tuple[float, float, floa
 
 def _angles_deg(ego_from_cam: SE3) -> Array:
     """Return roll, pitch, yaw, each within half a turn of zero."""
-    body = Rotation.from_matrix(ego_from_cam.rotation @ _CAM_FROM_BODY)
-    return np.asarray(body.as_euler("ZYX", degrees=True)[::-1])
+    body = ego_from_cam.rotation @ _CAM_FROM_BODY
+    roll, yaw = np.arctan2(body[2, 1], body[2, 2]), np.arctan2(body[1, 0], body[0, 0])
+    return np.asarray(np.degrees([roll, -np.arcsin(np.clip(body[2, 0], -1, 1)), yaw]))
 
 
 def car_rows(rig: Rig) -> tuple[list[str], list[str]]:

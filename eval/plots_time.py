@@ -20,7 +20,7 @@ def stage_figure(stages: Mapping[str, Any]) -> go.Figure:
         figure.data[-1].hovertemplate = "%{y:.1f} ms"
     figure.update_layout(barmode="stack", bargap=0.08)
     figure.update_xaxes(title_text="time of the drive (s)")
-    figure.update_yaxes(title_text="per bundle (ms)")
+    figure.update_yaxes(title_text="per bundle (ms)", tickformat="d")
     return styled(figure, 320)
 
 

@@ -46,7 +46,9 @@ def _reference(rig: Rig) -> CameraEstimate:
 def _csv_row(stamp_ns: int, name: str, camera: CameraEstimate) -> list[str]:
     pose = camera.ego_from_cam
     sigma = np.sqrt(np.maximum(np.diag(camera.covariance), 0.0))
-    numbers = [*pose.translation, *pose.quaternion_xyzw, *sigma]
+    is_finite = bool(np.isfinite(pose.matrix).all())
+    seven = [*pose.translation, *pose.quaternion_xyzw] if is_finite else [np.nan] * 7
+    numbers = [*seven, *sigma]
     return [str(stamp_ns), name, *map(_decimal, numbers), str(camera.status)]
 
 

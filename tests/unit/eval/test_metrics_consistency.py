@@ -67,7 +67,7 @@ def test_honest_errors_drawn_from_the_covariance_average_to_a_nees_of_one():
 
 def test_a_covariance_that_is_singular_is_named():
     value = consistency({}, np.zeros((6, 6)))["consistency.nees"]
-    assert value == Missing("the covariance of camera 'left' is not positive definite")
+    assert value == Missing("the pose of camera 'left' is not finite or its covariance not positive definite")
 
 
 @pytest.mark.parametrize("sigmas", [(1, 1, 1), (3, 1, 0.2), (5, 0.1, 0.1)])

@@ -39,6 +39,12 @@ def test_the_csv_row_gives_the_pose_back():
     assert np.abs(RIG["left"].ego_from_cam.local(pose) - off_by(1, 50)).max() < 1e-8
 
 
+def test_a_pose_that_is_not_finite_is_written_as_such_and_never_as_an_answer():
+    text = extrinsics_csv(run_log(straight(1), lambda index: {"left": np.full(6, np.nan)}))
+    row = next(row for row in csv.DictReader(StringIO(text)) if row["camera"] == "left")
+    assert row["tx_m"] == row["qw"] == "nan"
+
+
 def test_tum_seconds_are_exact_to_the_nanosecond():
     line = tum(Trajectory.from_poses([START_NS + 1], [SE3(np.eye(3), np.array([1.0, -2.0, 0.0]))]))
     zero, one = "0.000000000", "1.000000000"
