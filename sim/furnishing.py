@@ -41,7 +41,7 @@ CAR_SKINS = 7
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """A mesh ready to be placed: its skin, its size on the ground (along its yaw, across) and its height above."""
+    """A mesh ready to be placed: its skin, its size on the ground (along its yaw, across), its foot."""
 
     mesh: Mesh
     skin: str
@@ -195,7 +195,7 @@ def _line_with_trees(street: _Street, catalogue: _Catalogue, rng: np.random.Gene
         while s < street.path.end_m - 2:
             tree = catalogue.trees[rng.integers(len(catalogue.trees))]
             street.put(tree, s, street.section.kerb_m(side) + 0.65 * side, rng.uniform(0, 2 * np.pi))
-            s += rng.uniform(8.0, 15.0)
+            s += rng.uniform(9.0, 17.0)
 
 
 def _line_with_lamps(street: _Street, catalogue: _Catalogue) -> None:
@@ -230,8 +230,12 @@ def _plant_garden(street: _Street, lot: Lot, catalogue: _Catalogue, rng: np.rand
     along = lot.front_m[1] - lot.front_m[0]
     at = lot.front_m.mean(axis=0)
     yaw = float(np.arctan2(along[1], along[0])) - np.pi / 2
-    fence = _Thing(board_fence(width - 0.1), "furniture", (0.1, width - 0.1))
+    fence = _Thing(board_fence(width - 0.06), "furniture", (0.1, width - 0.3))
     street.put_at(fence, at, yaw)
+    behind = lot.back_m.mean(axis=0)
+    length = float(np.linalg.norm(lot.back_m[1] - lot.back_m[0])) - 0.2
+    wall = _Thing(garden_wall(length, 2.6).moved((0.0, -length / 2, 0.0)), "furniture", (0.26, length))
+    street.put_at(wall, behind, yaw)
     low, high = lot.span_m
     for depth, things, count in ((1.5, catalogue.bushes, 3), (3.4, catalogue.trees, 2)):
         for share in (np.arange(count) + 0.5) / count:

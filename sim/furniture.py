@@ -119,6 +119,15 @@ def board_fence(length_m: float) -> Mesh:
     return merged(parts)
 
 
-def garden_wall(length_m: float) -> Mesh:
-    """A low wall of concrete blocks along +y from the origin."""
-    return box((-0.12, 0, 0), (0.12, length_m, 0.8), region("concrete"), region("concrete"))
+def garden_wall(length_m: float, height_m: float = 0.8) -> Mesh:
+    """A wall of concrete blocks along +y from the origin, every block its own piece of the texture."""
+    u0, v0, u1, v1 = region("concrete")
+    columns, rows = max(1, round(length_m / 1.1)), max(1, round(height_m / 0.6))
+    y, z = np.linspace(0, length_m, columns + 1), np.linspace(0, height_m, rows + 1)
+    parts = []
+    for j in range(columns):
+        for i in range(rows):
+            left = u0 + 0.35 * (u1 - u0) * ((0.31 * j + 0.57 * i) % 1.0)
+            part = (left, v0, left + 0.65 * (u1 - u0), v1)
+            parts.append(box((-0.12, y[j], z[i]), (0.12, y[j + 1], z[i + 1]), part))
+    return merged(parts)

@@ -11,7 +11,7 @@ from sim.scenery import Prop, Scenery, Skin
 from sim.street_layout import LANE_M, Junction, Layout
 from sim.street_mesh import Mesh, merged, quads
 from sim.street_path import Path
-from sim.textures_canvas import Canvas
+from sim.textures_canvas import Canvas, RgbImage
 from sim.textures_markings import paint_main_road, paint_side_road
 from sim.textures_noise import fractal
 from sim.textures_paving import pavement
@@ -195,7 +195,7 @@ def _outside(s_m: Array, first: float, last: float) -> Iterable[Array]:
     return s_m[s_m < first], s_m[s_m > last]
 
 
-def _yard_image(rng: np.random.Generator) -> Array:
+def _yard_image(rng: np.random.Generator) -> RgbImage:
     canvas = Canvas(120.0, 30.0, (0.06, 0.06), (92, 98, 62))
     mud = fractal(rng, canvas.shape, canvas.cells(3.0), 6, 0.8)
     canvas.shade(0.2 * fractal(rng, canvas.shape, canvas.cells(0.5), 4, 0.9))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -85,7 +86,7 @@ def _row(
         left = high - edges[-1] - width
         edges.append(high if left < 5.0 / stretch else edges[-1] + width)
     lots = []
-    for k, (a, b) in enumerate(zip(edges[:-1], edges[1:], strict=True)):
+    for k, (a, b) in enumerate(pairwise(edges)):
         inner = 0 < k < len(edges) - 2
         setback = float(rng.choice(SETBACKS_M)) if inner else 0.0
         garden = inner and bool(rng.random() < GARDEN_SHARE)
@@ -98,7 +99,7 @@ def _row(
 def _stretch(path: Path, s_m: float, d_m: float) -> float:
     """Metres along the facade line for a metre along the lane, a few metres ahead."""
     ahead = path.point_m(np.array([s_m + 1.0, s_m + 7.0]), d_m)
-    return float(max(np.linalg.norm(ahead[1] - ahead[0]) / 6.0, 0.35))
+    return max(float(np.linalg.norm(ahead[1] - ahead[0])) / 6.0, 0.35)
 
 
 def _lot(path: Path, side: int, a: float, b: float, front_m: float, setback_m: float, use: str) -> Lot:

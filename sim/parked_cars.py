@@ -36,14 +36,23 @@ class CarKind:
 
 
 HATCH = CarKind(
-    ((0, 0.55), (0.05, 0.95), (0.45, 1.38), (0.9, 1.47), (2.2, 1.45), (2.9, 0.98), (3.7, 0.85), (3.95, 0.5)), 0.93, (0.75, 3.2), 1.72
-)  # fmt: skip
+    ((0, 0.55), (0.05, 0.95), (0.45, 1.38), (0.9, 1.47), (2.2, 1.45), (2.9, 0.98), (3.7, 0.85), (3.95, 0.5)),
+    belt_m=0.93,
+    axles_m=(0.75, 3.2),
+    width_m=1.72,
+)
 SEDAN = CarKind(
-    ((0, 0.55), (0.05, 0.98), (0.8, 1.02), (1.45, 1.42), (2.6, 1.44), (3.35, 0.98), (4.3, 0.82), (4.55, 0.5)), 0.95, (0.95, 3.65), 1.8
-)  # fmt: skip
+    ((0, 0.55), (0.05, 0.98), (0.8, 1.02), (1.45, 1.42), (2.6, 1.44), (3.35, 0.98), (4.3, 0.82), (4.55, 0.5)),
+    belt_m=0.95,
+    axles_m=(0.95, 3.65),
+    width_m=1.8,
+)
 VAN = CarKind(
-    ((0, 0.5), (0.03, 1.2), (0.12, 1.85), (0.4, 1.95), (3.2, 1.93), (3.9, 1.2), (4.5, 1.0), (4.7, 0.5)), 1.15, (0.9, 3.75), 1.86
-)  # fmt: skip
+    ((0, 0.5), (0.03, 1.2), (0.12, 1.85), (0.4, 1.95), (3.2, 1.93), (3.9, 1.2), (4.5, 1.0), (4.7, 0.5)),
+    belt_m=1.15,
+    axles_m=(0.9, 3.75),
+    width_m=1.86,
+)
 KINDS = (HATCH, HATCH, SEDAN, SEDAN, VAN)
 
 
@@ -104,7 +113,8 @@ def _project(hull: Array) -> Array:
     tail = np.stack([REAR_AT_M[0] + WIDE_M / 2 - y, REAR_AT_M[1] + TALL_M - z], axis=-1)
     ends = np.where(ahead[..., None], nose, tail)
     chosen = np.where((facing == 0)[:, None, None], ends, np.where((facing == 1)[:, None, None], side, top))
-    return chosen / np.array(SIZE_M)
+    result: Array = chosen / np.array(SIZE_M)
+    return result
 
 
 def _wheels(kind: CarKind) -> list[Mesh]:

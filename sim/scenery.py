@@ -12,6 +12,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.street_mesh import Mesh
+from sim.textures_canvas import RgbImage
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,7 +24,7 @@ class Skin:
         specular: Strength of the highlight, 0 to 1.
     """
 
-    image: Array
+    image: RgbImage
     specular: float = 0.0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mujoco
 import numpy as np
+from numpy.typing import ArrayLike
 
 from estimator.se3 import Array
 from sim.textures_noise import fractal, smoothstep
@@ -17,14 +18,14 @@ def write_sky(spec: mujoco.MjSpec, weather: WeatherConfig) -> None:
     """Add sun, fill light and skybox."""
     up = _direction(weather.sun_elevation_deg, weather.sun_azimuth_deg)
     spec.visual.headlight.active = 1
-    spec.visual.headlight.ambient = [0.33, 0.34, 0.36]
+    spec.visual.headlight.ambient = [0.39, 0.40, 0.42]
     spec.visual.headlight.diffuse = [0.0, 0.0, 0.0]
     spec.visual.headlight.specular = [0.0, 0.0, 0.0]
-    _add_light(spec, "sun", _SUN_DISTANCE_M * up, -up, (1.15, 1.09, 0.99), True)
+    _add_light(spec, "sun", _SUN_DISTANCE_M * up, -up, (1.12, 1.06, 0.97), True)
     _add_light(spec, "sky_above", (0, 0, 50), (0, 0, -1), (0.14, 0.15, 0.17), False)
     away = np.array([-up[0], -up[1], 0.35])
     _add_light(spec, "sky_opposite", (0, 0, 50), -away / np.linalg.norm(away), (0.16, 0.17, 0.18), False)
-    faces = _sky_faces(up)
+    faces = _sky_faces()
     texture = spec.add_texture(
         name="sky",
         type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
@@ -43,7 +44,7 @@ def _direction(elevation_deg: float, azimuth_deg: float) -> Array:
 
 
 def _add_light(
-    spec: mujoco.MjSpec, name: str, pos: object, toward: object, diffuse: object, shadow: bool
+    spec: mujoco.MjSpec, name: str, pos: ArrayLike, toward: ArrayLike, diffuse: ArrayLike, shadow: bool
 ) -> None:
     spec.worldbody.add_light(
         name=name,
@@ -57,10 +58,10 @@ def _add_light(
     )
 
 
-def _sky_faces(sun_up: Array, size: int = 512) -> Array:
-    """Six faces, one above the other, in the order right, left, up, down, front, back; (6 size, size, 3) uint8."""
+def _sky_faces(size: int = 512) -> Array:
+    """Return faces right, left, up, down, front, back, one above the other; (6 size, size, 3) uint8."""
     rng = np.random.default_rng(_SKY_SEED)
-    noise = [fractal(rng, (size, 2 * size), (size / 5, size / 3), 7, 0.55) for _ in range(1)][0]
+    noise = fractal(rng, (size, 2 * size), (size / 5, size / 3), 7, 0.55)
     u, v = np.meshgrid((np.arange(size) + 0.5) / size * 2 - 1, (np.arange(size) + 0.5) / size * 2 - 1)
     one = np.ones_like(u)
     # Cube-map directions in GL's own frame, in which the sky's up is +y.

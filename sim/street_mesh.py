@@ -59,7 +59,7 @@ def merged(meshes: Iterable[Mesh]) -> Mesh:
 
 
 def quads(corners_m: Array, uvs: Array) -> Mesh:
-    """Flat-shaded quads.
+    """Flat-shaded quads; those without area are left out.
 
     Args:
         corners_m: (N, 4, 3) corners, counter-clockwise seen from outside.
@@ -67,10 +67,14 @@ def quads(corners_m: Array, uvs: Array) -> Mesh:
     """
     corners_m, uvs = np.asarray(corners_m, float), np.asarray(uvs, float)
     normals = np.cross(corners_m[:, 2] - corners_m[:, 0], corners_m[:, 3] - corners_m[:, 1])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
-    first = 4 * np.arange(len(corners_m))[:, None]
-    faces = np.hstack([first + [0, 1, 2], first + [0, 2, 3]]).reshape(-1, 3)
-    return Mesh(corners_m.reshape(-1, 3), np.repeat(normals, 4, axis=0), uvs.reshape(-1, 2), faces)
+    sizes = np.linalg.norm(normals, axis=1)
+    kept = sizes > 1e-9
+    normals = normals[kept] / sizes[kept, None]
+    corners = 4 * np.arange(len(normals))[:, None]
+    faces = (corners + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3)
+    return Mesh(
+        corners_m[kept].reshape(-1, 3), np.repeat(normals, 4, axis=0), uvs[kept].reshape(-1, 2), faces
+    )
 
 
 def rect_uvs(rect: Rect) -> Array:

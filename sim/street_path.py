@@ -73,7 +73,8 @@ def bend_curvature(
     plateau = abs(angle_rad) * radius_m - ramp_m
     rise = np.clip((s_m - start_m) / ramp_m, 0, 1)
     fall = np.clip((start_m + 2 * ramp_m + plateau - s_m) / ramp_m, 0, 1)
-    return np.sign(angle_rad) / radius_m * np.minimum(rise, fall)
+    result: Array = np.sign(angle_rad) / radius_m * np.minimum(rise, fall)
+    return result
 
 
 def bend_length_m(angle_rad: float, radius_m: float, ramp_m: float = 4.0) -> float:

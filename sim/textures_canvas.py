@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable
 
 import cv2
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from estimator.se3 import Array
 
-Color = Sequence[float]  # grey or RGB, 0 to 255
+Color = ArrayLike  # RGB, 0 to 255
+RgbImage = NDArray[np.uint8]
 _FRACTION_BITS = 4
 
 
@@ -69,8 +72,11 @@ class Canvas:
         alpha: float = 1.0,
         worn: Array | None = None,
     ) -> None:
-        """Paint an upright rectangle."""
-        self.fill(np.array([[x0, y0], [x1, y0], [x1, y1], [x0, y1]]), color, alpha, worn)
+        """Paint an upright rectangle; texels that it covers in part are mixed in proportion."""
+        columns, across = _coverage(x0 / self.texel_m[0], x1 / self.texel_m[0], self.shape[1])
+        rows, down = _coverage(y0 / self.texel_m[1], y1 / self.texel_m[1], self.shape[0])
+        if len(across) and len(down):
+            self._mix((rows, columns), alpha * np.outer(down, across), color, worn)
 
     def frame(
         self, x0: float, y0: float, x1: float, y1: float, width_m: float, color: Color, alpha: float = 1.0
@@ -97,9 +103,7 @@ class Canvas:
             lambda mask, p: cv2.polylines(mask, [p], closed, 255, thickness, cv2.LINE_AA, _FRACTION_BITS),
         )
 
-    def ellipse(
-        self, center_m: Sequence[float], radii_m: Sequence[float], color: Color, alpha: float = 1.0
-    ) -> None:
+    def ellipse(self, center_m: ArrayLike, radii_m: ArrayLike, color: Color, alpha: float = 1.0) -> None:
         """Paint an upright ellipse."""
         angles = np.linspace(0, 2 * np.pi, 28, endpoint=False)
         self.fill(
@@ -114,22 +118,34 @@ class Canvas:
         """Write capital letters about ``height_m`` tall on the base line."""
         thickness = max(1, round(0.16 * height_m / self.texel_m[1]))
         scale = height_m / self.texel_m[1] / 21.0
-        mask = np.zeros(self.shape, np.uint8)
-        at = (round(x_m / self.texel_m[0]), round(base_m / self.texel_m[1]))
+        x, base = round(x_m / self.texel_m[0]), round(base_m / self.texel_m[1])
+        (width, height), below = cv2.getTextSize(words, cv2.FONT_HERSHEY_SIMPLEX, scale, thickness)
+        mask = np.zeros((height + below + 2 * thickness, width + 2 * thickness), np.uint8)
+        at = (thickness, height + thickness)
         cv2.putText(mask, words, at, cv2.FONT_HERSHEY_SIMPLEX, scale, 255, thickness, cv2.LINE_AA)
-        self._mix((slice(None), slice(None)), mask, color, alpha, None)
+        left, top = x - at[0], base - at[1]
+        y0, x0 = max(0, -top), max(0, -left)
+        y1, x1 = min(mask.shape[0], self.shape[0] - top), min(mask.shape[1], self.shape[1] - left)
+        if y0 < y1 and x0 < x1:
+            window = (slice(top + y0, top + y1), slice(left + x0, left + x1))
+            self._mix(window, mask[y0:y1, x0:x1] * (alpha / 255.0), color, None)
 
-    def image(self) -> Array:
+    def image(self) -> RgbImage:
         """(H, W, 3) uint8."""
-        result: Array = np.clip(self.pixels, 0, 255).astype(np.uint8)
-        return result
+        return np.clip(self.pixels, 0, 255).astype(np.uint8)
 
     def _to_px(self, points_m: Array) -> Array:
         result: Array = np.asarray(points_m, float) / np.asarray(self.texel_m) - 0.5
         return result
 
     def _blend(
-        self, points_px: Array, margin_px: int, color: Color, alpha: float, worn: Array | None, draw: object
+        self,
+        points_px: Array,
+        margin_px: int,
+        color: Color,
+        alpha: float,
+        worn: Array | None,
+        draw: Callable[[Array, Array], object],
     ) -> None:
         height, width = self.shape
         x0, y0 = np.maximum(np.floor(points_px.min(axis=0)).astype(int) - margin_px, 0)
@@ -138,14 +154,20 @@ class Canvas:
             return
         mask = np.zeros((y1 - y0, x1 - x0), np.uint8)
         fixed = np.round((points_px - [x0, y0]) * 2**_FRACTION_BITS).astype(np.int32)
-        draw(mask, fixed)  # type: ignore[operator]
-        self._mix((slice(y0, y1), slice(x0, x1)), mask, color, alpha, worn)
+        draw(mask, fixed)
+        self._mix((slice(y0, y1), slice(x0, x1)), mask * (alpha / 255.0), color, worn)
 
-    def _mix(
-        self, window: tuple[slice, slice], mask: Array, color: Color, alpha: float, worn: Array | None
-    ) -> None:
-        weight = mask.astype(np.float32) * (alpha / 255.0)
+    def _mix(self, window: tuple[slice, slice], weight: Array, color: Color, worn: Array | None) -> None:
         if worn is not None:
-            weight *= worn[window]
+            weight = weight * worn[window]
         area = self.pixels[window]
-        area += weight[..., None] * (np.asarray(color, np.float32) - area)
+        area += weight.astype(np.float32)[..., None] * (np.asarray(color, np.float32) - area)
+
+
+def _coverage(low: float, high: float, limit: int) -> tuple[slice, Array]:
+    """Which of ``limit`` texels an interval touches, and how much of each it covers."""
+    first, last = max(0, math.floor(low)), min(limit, math.ceil(high))
+    if first >= last:
+        return slice(0, 0), np.empty(0)
+    index = np.arange(first, last)
+    return slice(first, last), np.minimum(high, index + 1) - np.maximum(low, index)

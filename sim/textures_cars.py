@@ -6,7 +6,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.street_mesh import Rect
-from sim.textures_canvas import Canvas
+from sim.textures_canvas import Canvas, RgbImage
 from sim.textures_noise import fractal
 
 SIZE_M = (8.0, 4.2)  # of the texture
@@ -39,7 +39,7 @@ def rect(at_m: tuple[float, float], size_m: tuple[float, float]) -> Rect:
 
 def paint_car(
     profile_m: Array, belt_m: float, axles_m: tuple[float, float], rng: np.random.Generator
-) -> Array:
+) -> RgbImage:
     """Paint one car.
 
     Args:
@@ -73,7 +73,7 @@ def _side(canvas: Canvas, profile: Array, belt: float, axles: tuple[float, float
     roof = np.array([[x0 + x, ground - z + 0.07] for x, z in above])
     ends = np.array([[roof[-1, 0] + 0.25, ground - belt], [roof[0, 0] - 0.2, ground - belt]])
     canvas.fill(np.vstack([roof, ends]), _GLASS)
-    sky = np.vstack([roof, roof[::-1] + [0.0, 0.16]])
+    sky = np.vstack([roof, roof[::-1] + np.array([0.0, 0.16])])
     canvas.fill(sky, (150, 164, 176), 0.45)
     low, high = roof[0, 0], roof[-1, 0]
     for share in (0.02, 0.36, 0.7):
@@ -106,7 +106,9 @@ def _top(canvas: Canvas, profile: Array, belt: float, color: Array) -> None:
     peak = profile[profile[:, 1] > profile[:, 1].max() - 0.1]
     for a, b in ((first - 0.3, peak[0, 0] - 0.03), (peak[-1, 0] + 0.03, last + 0.45)):
         canvas.rect(x0 + a, y0 + 0.16, x0 + b, y0 + WIDE_M - 0.16, _GLASS)
-        canvas.fill(np.array([[a, 0.3], [b, 0.5], [b, 0.9], [a, 0.7]]) + [x0, y0], (170, 182, 190), 0.4)
+        canvas.fill(
+            np.array([[a, 0.3], [b, 0.5], [b, 0.9], [a, 0.7]]) + np.array([x0, y0]), (170, 182, 190), 0.4
+        )
     canvas.rect(x0 + last + 0.5, y0 + 0.25, x0 + profile[-1, 0], y0 + 0.27, color * 0.4)
     canvas.rect(x0 + last + 0.5, y0 + WIDE_M - 0.27, x0 + profile[-1, 0], y0 + WIDE_M - 0.25, color * 0.4)
 

@@ -6,10 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from estimator.se3 import Array
 from sim.facade_mesh import GABLE_M, atlas_width_m
 from sim.facade_plan import Facade, Panel
-from sim.textures_canvas import Canvas
+from sim.textures_canvas import Canvas, RgbImage
 from sim.textures_noise import crooked_line, fractal, smoothstep
 from sim.textures_openings import PAINTERS
 from sim.textures_paving import lay_setts
@@ -17,7 +16,7 @@ from sim.textures_paving import lay_setts
 FACADE_TEXEL_M = 0.017
 
 
-def paint_facade(facade: Facade, rng: np.random.Generator) -> Array:
+def paint_facade(facade: Facade, rng: np.random.Generator) -> RgbImage:
     """Front, gable and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
     canvas = Canvas(
         atlas_width_m(facade), facade.height_m, (FACADE_TEXEL_M, FACADE_TEXEL_M), facade.wall_color
@@ -97,11 +96,11 @@ _WALLS: dict[str, Callable[[Canvas, Facade, np.random.Generator], None]] = {
 def _age(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     """Blotches, rain streaks, splashed and sooty feet, cracks."""
     shape = canvas.shape
-    blotches = fractal(rng, shape, canvas.cells(1.6), 5, 0.6)
+    blotches = fractal(rng, shape, canvas.cells(1.6), 4, 0.55)
     streaks = fractal(rng, shape, (canvas.cells(2.5)[0], canvas.cells(0.16)[1]), 3, 0.7)
     height = np.linspace(facade.height_m, 0, shape[0], dtype=np.float32)[:, None]
     foot = smoothstep(0.9, 0.0, height + 0.25 * blotches)
-    canvas.shade(0.10 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
+    canvas.shade(0.09 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
     for _ in range(int(rng.integers(2, 6))):
         start = np.array([rng.uniform(0, facade.width_m + GABLE_M), rng.uniform(0, facade.height_m)])
         line = crooked_line(rng, start, rng.uniform(0.9, 2.2), rng.uniform(0.5, 2.5), 0.5)
@@ -124,10 +123,10 @@ def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
         x, y = rng.uniform(0.2, facade.width_m + GABLE_M - 1), facade.height_m - rng.uniform(0.7, 1.9)
         if rng.random() < 0.5:
             count = int(rng.integers(6, 12))
-            line = np.stack([np.linspace(0, rng.uniform(0.5, 1.4), count), rng.normal(0, 0.18, count)], 1) + [
-                x,
-                y,
-            ]
+            wave = np.stack(
+                [np.linspace(0, rng.uniform(0.5, 1.4), count), rng.normal(0, 0.18, count)], axis=1
+            )
+            line = wave + np.array([x, y])
             canvas.stroke(
                 line, 0.04, rng.choice([20.0, 230.0]) * np.array([1.0, rng.uniform(0.3, 1), 0.6]), 0.8
             )

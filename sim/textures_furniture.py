@@ -1,12 +1,11 @@
-"""The skin of street furniture: metal, wood, concrete, posters and traffic signs side by side in one texture."""
+"""The skin of street furniture: metal, wood, concrete, posters and traffic signs in one texture."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from estimator.se3 import Array
 from sim.street_mesh import Rect
-from sim.textures_canvas import Canvas
+from sim.textures_canvas import Canvas, RgbImage
 from sim.textures_noise import fractal
 from sim.textures_paving import lay_setts
 
@@ -43,7 +42,7 @@ def region(name: str) -> Rect:
     )
 
 
-def paint_furniture(rng: np.random.Generator) -> Array:
+def paint_furniture(rng: np.random.Generator) -> RgbImage:
     """Paint all parts."""
     canvas = Canvas(*SIZE_M, (_TEXEL_M, _TEXEL_M), (120, 120, 118))
     _plain(canvas, "steel", (150, 154, 154), rng)

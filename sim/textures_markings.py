@@ -1,4 +1,4 @@
-"""Road markings painted into the road canvas: lane lines, bays, crossings, stop and give-way lines, arrows."""
+"""Road markings painted into the road canvas: lane lines, bays, crossings, give-way lines, arrows."""
 
 from __future__ import annotations
 
@@ -97,13 +97,8 @@ def _limit(road: RoadCanvas, s: float) -> None:
     angles = np.linspace(0, 2 * np.pi, 30, endpoint=False)
     ring = np.stack([x + 1.4 * np.cos(angles), y + 0.75 * np.sin(angles)], axis=1)
     road.canvas.stroke(ring, 0.14, PAINT, 0.85, closed=True)
-    for dy in (-0.3, 0.3):
-        digit = np.array(
-            [
-                [x + 0.8, y + dy - 0.2],
-                [x + 0.8, y + dy + 0.2],
-                [x - 0.8, y + dy + 0.2],
-                [x - 0.8, y + dy - 0.2],
-            ]
-        )
-        road.canvas.stroke(digit, 0.12, PAINT, 0.85, closed=dy > 0)
+    three = np.array([[0, 1], [1, 1], [1, 0], [0, 0], [1, 0], [1, -1], [0, -1]])
+    zero = np.array([[0, 1], [1, 1], [1, -1], [0, -1], [0, 1]])
+    for digit, right in ((three, -0.4), (zero, 0.1)):  # (right, up) as the driver reads them
+        points = np.stack([x + 0.75 * digit[:, 1], y + right + 0.3 * digit[:, 0]], axis=1)
+        road.canvas.stroke(points, 0.11, PAINT, 0.85)

@@ -1,4 +1,4 @@
-"""Painters for the parts of a facade: windows, doors, shop fronts, signs, trims. One function a kind of panel.
+"""Painters for the parts of a facade: windows, doors, shop fronts, signs, trims; one function a kind.
 
 Panels come with z counted downwards from the eaves, as the canvas does.
 """
@@ -26,7 +26,7 @@ def _glass(canvas: Canvas, p: Panel, rng: np.random.Generator) -> None:
     canvas.rect(p.x0, p.z0, p.x1, p.z1, (tone, tone * 1.05, tone * 1.12))
     w, h = p.x1 - p.x0, p.z1 - p.z0
     slant = np.array([[0.0, 0.0], [0.75, 0.0], [0.2, 1.0], [0.0, 1.0]]) * [w, h * rng.uniform(0.3, 0.8)]
-    canvas.fill(slant + [p.x0, p.z0], (150, 164, 178), rng.uniform(0.15, 0.5))
+    canvas.fill(slant + np.array([p.x0, p.z0]), (150, 164, 178), rng.uniform(0.15, 0.5))
     kind = rng.random()
     if kind < 0.4:
         for left, right in ((0.0, rng.uniform(0.15, 0.4)), (rng.uniform(0.6, 0.85), 1.0)):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from sim.textures_canvas import Canvas
@@ -27,7 +29,7 @@ def lay_setts(
     x = (np.arange(left, right) + 0.5) * canvas.texel_m[0]
     joint_m = min(0.02, 0.14 * stone_m[1])
     edges_y = np.linspace(top, bottom, max(1, round((y1 - y0) / stone_m[1])) + 1).round().astype(int)
-    for low, high in zip(edges_y[:-1], edges_y[1:], strict=True):
+    for low, high in pairwise(edges_y):
         if high <= low:
             continue
         count = int((x1 - x0) / stone_m[0] / 0.8) + 3
@@ -77,5 +79,5 @@ def pavement(
         )
     kerb = (0.0, 0.28) if kerb_first else (width_m - 0.28, width_m)
     lay_setts(canvas, 0, kerb[0], length_m, kerb[1], (0.9, 0.28), 165, rng)
-    canvas.shade(0.08 * fractal(rng, canvas.shape, canvas.cells(2.0), 5, 0.65))
+    canvas.shade(0.07 * fractal(rng, canvas.shape, canvas.cells(2.0), 4, 0.6))
     return canvas

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 
-from estimator.se3 import Array
 from sim.street_mesh import Rect
-from sim.textures_canvas import Canvas
+from sim.textures_canvas import Canvas, RgbImage
 from sim.textures_noise import fractal
 
 BARK: Rect = (0.01, 0.01, 0.17, 0.99)
@@ -15,9 +15,9 @@ _SIZE_M = (5.0, 4.0)
 _TEXEL_M = 0.0065
 
 
-def paint_plants(rng: np.random.Generator) -> Array:
+def paint_plants(rng: np.random.Generator) -> RgbImage:
     """Bark on the left fifth, leaves of many greens before dark gaps on the rest."""
-    canvas = Canvas(*_SIZE_M, (_TEXEL_M, _TEXEL_M), (26, 34, 16))
+    canvas = Canvas(*_SIZE_M, (_TEXEL_M, _TEXEL_M), (40, 52, 24))
     clumps = fractal(rng, canvas.shape, canvas.cells(0.5), 3)
     count = 26000
     x, y = rng.uniform(0.85, _SIZE_M[0], count), rng.uniform(0, _SIZE_M[1], count)
@@ -27,9 +27,10 @@ def paint_plants(rng: np.random.Generator) -> Array:
     for k in np.argsort(light + rng.normal(0, 0.15, count)):
         c, s = np.cos(turn[k]), np.sin(turn[k])
         row, column = int(y[k] / _TEXEL_M) % canvas.shape[0], int(x[k] / _TEXEL_M) % canvas.shape[1]
-        tone = 0.35 + 1.15 * light[k] + 0.15 * clumps[row, column]
+        tone = 0.5 + 0.8 * light[k] + 0.15 * clumps[row, column]
         color = np.array([96.0, 128.0, 52.0]) * tone
-        canvas.fill(leaf @ np.array([[c, s], [-s, c]]) * length[k] + [x[k], y[k]], color)
+        outline = (leaf @ np.array([[c, s], [-s, c]]) * length[k] + [x[k], y[k]]) / _TEXEL_M
+        cv2.fillConvexPoly(canvas.pixels, np.round(outline).astype(np.int32), color.tolist())
     _bark(canvas, rng)
     return canvas.image()
 

@@ -57,9 +57,11 @@ def asphalt(
     shape = canvas.shape
     worn = smoothstep(-1.5, 0.3, fractal(rng, shape, canvas.cells(0.5), 6, 0.8))
     road = RoadCanvas(canvas, start_m, left_m, 0.25 + 0.75 * worn)
+    # Polished stretches between rough ones: a road is not equally busy everywhere.
+    rough = 0.02 + 0.06 * smoothstep(-0.3, 1.2, fractal(rng, shape, canvas.cells(2.2), 2))
     canvas.shade(
         0.08 * fractal(rng, shape, canvas.cells(3.0), 3)
-        + 0.09 * fractal(rng, shape, canvas.cells(0.45), 6, 0.85)
+        + rough * fractal(rng, shape, canvas.cells(0.45), 4, 0.6)
     )
     area = (end_m - start_m) * (left_m - right_m)
     _lay_repairs(road, area, right_m, left_m, rng)
@@ -79,7 +81,7 @@ def _lay_repairs(
         x, y = rng.uniform(0, canvas.shape[1] * canvas.texel_m[0]), rng.uniform(0, left_m - right_m)
         length, width = rng.choice([(0.8, 0.6), (1.6, 1.1), (2.6, 0.8), (5.5, 0.7), (0.6, 3.4)])
         length, width = length * rng.uniform(0.7, 1.4), width * rng.uniform(0.7, 1.3)
-        corners = np.array([[0, 0], [length, 0], [length, width], [0, width]]) + [x, y]
+        corners = np.array([[0, 0], [length, 0], [length, width], [0, width]]) + np.array([x, y])
         corners += rng.normal(0, 0.04, (4, 2))
         tone = rng.uniform(72, 138)
         canvas.fill(corners, (tone, tone, tone * 0.98), 0.85, np.clip(0.85 + 0.12 * grain, 0, 1))
@@ -106,7 +108,7 @@ def _spill(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng:
     """Oil, gum and dust: soft and hard blots, dark and light."""
     canvas = road.canvas
     length_m = canvas.shape[1] * canvas.texel_m[0]
-    for _ in range(round(area_m2 / 1.1)):
+    for _ in range(round(area_m2 / 1.8)):
         at = (rng.uniform(0, length_m), rng.uniform(0, left_m - right_m))
         radius = 0.04 * rng.pareto(2.0) + 0.03
         radii = np.minimum(radius * rng.uniform(0.6, 1.6, 2), 0.6)

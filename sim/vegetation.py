@@ -34,14 +34,22 @@ def tree_mesh(height_m: float, crown_m: float, rng: np.random.Generator) -> Mesh
     lumps = _lumps(middle, half, 13, rng)
     start = np.array([*wave[-2], heights[-2]])
     boughs = [_bough(start, lump, 0.45 * radius, rng) for lump in lumps[:8]]
-    return merged([trunk, *boughs, _foliage(lumps, 0.42 * crown_m, 330, (0.18, 0.38), middle, rng)])
+    return merged(
+        [
+            trunk,
+            *boughs,
+            *_cores(lumps, 0.5 * crown_m, middle, rng),
+            _foliage(lumps, 0.36 * crown_m, 230, (0.16, 0.32), middle, rng),
+        ]
+    )
 
 
 def bush_mesh(radius_m: float, rng: np.random.Generator) -> Mesh:
     """A bush standing at the origin."""
     middle = np.array([0.0, 0.0, 0.6 * radius_m])
     lumps = _lumps(middle, np.array([0.7, 0.7, 0.6]) * radius_m, 6, rng)
-    return _foliage(lumps, 0.4 * radius_m, 84, (0.12, 0.26), middle * 0.5, rng)
+    leaves = _foliage(lumps, 0.36 * radius_m, 70, (0.1, 0.22), middle * 0.5, rng)
+    return merged([*_cores(lumps[:3], 0.55 * radius_m, middle * 0.5, rng), leaves])
 
 
 def hedge_mesh(length_m: float, height_m: float, width_m: float, rng: np.random.Generator) -> Mesh:
@@ -68,6 +76,32 @@ def _lumps(middle: Array, half: Array, count: int, rng: np.random.Generator) -> 
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
     result: Array = middle + direction * half * rng.uniform(0.35, 0.8, (count, 1))
     return result
+
+
+def _cores(lumps: Array, radius_m: float, middle: Array, rng: np.random.Generator) -> list[Mesh]:
+    """Lumpy leafy bodies inside the clusters, which make a crown dense without thousands of cards."""
+    rows, columns = 4, 7
+    up, around = np.meshgrid(
+        np.linspace(-1.4, 1.4, rows + 1), np.linspace(0, 2 * np.pi, columns + 1), indexing="ij"
+    )
+    ball = np.stack([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)], axis=-1)
+    i, j = (grid.ravel() for grid in np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij"))
+    a = i * (columns + 1) + j
+    b = a + columns + 1
+    faces = np.vstack([np.stack([a, a + 1, b + 1], 1), np.stack([a, b + 1, b], 1)])
+    cores = []
+    for lump in lumps:
+        dents = rng.uniform(0.75, 1.15, (rows + 1, columns + 1, 1))
+        dents[:, -1] = dents[:, 0]
+        vertices = (lump + radius_m * dents * ball * [1.0, 1.0, 0.8]).reshape(-1, 3)
+        vertices[:, 2] = np.maximum(vertices[:, 2], 0.02)
+        out = vertices - (middle + 2.0 * lump) / 3.0
+        u0, v0 = rng.uniform(LEAVES[0], 0.75), rng.uniform(0.0, 0.7)
+        uvs = np.stack([u0 + around / (2 * np.pi) * 0.24, v0 + (1.4 - up) / 2.8 * 0.28], axis=-1).reshape(
+            -1, 2
+        )
+        cores.append(Mesh(vertices, out / np.linalg.norm(out, axis=1, keepdims=True), uvs, faces))
+    return cores
 
 
 def _bough(start: Array, end: Array, radius_m: float, rng: np.random.Generator) -> Mesh:
@@ -112,7 +146,7 @@ def _cards(spots: Array, out: Array, size_m: tuple[float, float], rng: np.random
     u = rng.uniform(LEAVES[0] + 0.01, 0.9, count)[:, None] + np.array([0.0, 0.04, 0.08, 0.04])
     v = rng.uniform(0.0, 0.88, count)[:, None] + np.array([0.05, 0.0, 0.05, 0.1])
     first = 4 * np.arange(count)[:, None]
-    front = np.vstack([first + [0, 1, 2], first + [0, 2, 3]])
+    front = (first + np.array([0, 1, 2, 0, 2, 3])).reshape(-1, 3)
     return Mesh(
         corners.reshape(-1, 3),
         np.repeat(normal, 4, axis=0),
