@@ -21,7 +21,7 @@ from estimator.se3 import Array
 GreyImage = npt.NDArray[np.float32]
 
 SAMPLES_A_SIDE = 2  # per pixel: with the renderer's own multisampling enough against aliasing
-SOURCE_DENSITY = 1.2  # source pixels per lens pixel at the sharpest place, so that nothing is lost to blur
+SOURCE_DENSITY = 1.1  # source pixels per lens pixel at the sharpest place, so that nothing is lost to blur
 _BORDER_PX = 2.0  # room for interpolation at the rim of the source
 _NODE_SPACING_PX = 8
 _WIDEST_RAD = np.radians(71.0)  # half angle that a source pinhole of sane size can serve

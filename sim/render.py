@@ -6,7 +6,8 @@ pinholes only; lenses are made of its pictures in ``sim.lens``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from types import TracebackType
 from typing import Protocol, Self
 
@@ -15,7 +16,11 @@ import numpy as np
 import numpy.typing as npt
 
 from estimator.camera import Camera
+from sim.cameras import world_from_cam
+from sim.car import HIDDEN_GROUP
+from sim.culling import in_view
 from sim.gl import no_gl_error, open_context
+from sim.shadow_map import SharedShadowMap
 
 RgbImage = npt.NDArray[np.uint8]
 
@@ -73,30 +78,36 @@ class ClassicRenderer:
         except mujoco.FatalError as error:
             raise no_gl_error(error) from error
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
+        self._shadow_map = SharedShadowMap(self._context)
 
     def render(self, data: mujoco.MjData) -> dict[str, RgbImage]:
         self._gl.make_current()
-        self._update_scene(data)
-        return {name: self._picture(data, name, source) for name, source in self._sources.items()}
+        self._draw_shadow_map(data)
+        with self._shadow_map.frozen():
+            return {name: self._picture(data, name, source) for name, source in self._sources.items()}
 
-    def _update_scene(self, data: mujoco.MjData) -> None:
-        self._camera.fixedcamid = 0
-        everything = mujoco.mjtCatBit.mjCAT_ALL.value
-        mujoco.mjv_updateScene(self._model, data, self._option, None, self._camera, everything, self._scene)
-        middle = SHADOW_STRIDE_M * np.rint(data.cam_xpos.mean(0) / SHADOW_STRIDE_M) * [1, 1, 0]
-        for light in self._scene.lights[: self._scene.nlight]:
-            if light.castshadow and light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL:
-                light.pos = middle - SUN_DISTANCE_M * light.dir  # centres its shadow map
+    def _draw_shadow_map(self, data: mujoco.MjData) -> None:
+        self._update_scene(data, next(iter(self._sources)))
+        mujoco.mjr_render(mujoco.MjrRect(0, 0, 1, 1), self._scene, self._context)
 
     def _picture(self, data: mujoco.MjData, name: str, source: Camera) -> RgbImage:
-        self._camera.fixedcamid = self._model.camera(name).id
-        mujoco.mjv_updateCamera(self._model, data, self._camera, self._scene)
+        with _only(self._model, in_view(self._model, data, source, world_from_cam(data, name))):
+            self._update_scene(data, name)
         width, height = source.size_px
         rect = mujoco.MjrRect(0, 0, width, height)
         mujoco.mjr_render(rect, self._scene, self._context)
         picture = np.empty((height, width, 3), np.uint8)
         mujoco.mjr_readPixels(picture, None, rect, self._context)
         return picture[::-1]  # OpenGL counts rows from the bottom
+
+    def _update_scene(self, data: mujoco.MjData, name: str) -> None:
+        self._camera.fixedcamid = self._model.camera(name).id
+        everything = mujoco.mjtCatBit.mjCAT_ALL.value
+        mujoco.mjv_updateScene(self._model, data, self._option, None, self._camera, everything, self._scene)
+        middle = SHADOW_STRIDE_M * np.rint(data.cam_xpos.mean(0) / SHADOW_STRIDE_M) * [1, 1, 0]
+        for light in self._scene.lights[: self._scene.nlight]:
+            if light.castshadow and light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL:
+                light.pos = middle - SUN_DISTANCE_M * light.dir  # centres its shadow map
 
     def close(self) -> None:
         """Free the OpenGL objects; a renderer left to the interpreter's exit would raise there."""
@@ -111,3 +122,15 @@ class ClassicRenderer:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+
+@contextmanager
+def _only(model: mujoco.MjModel, drawn: npt.NDArray[np.bool_]) -> Iterator[None]:
+    """Hide all other geoms, and let none cast a shadow."""
+    groups, casting = model.geom_group.copy(), model.geom_castshadow.copy()
+    model.geom_group[~drawn] = HIDDEN_GROUP
+    model.geom_castshadow[:] = 0
+    try:
+        yield
+    finally:
+        model.geom_group[:], model.geom_castshadow[:] = groups, casting
