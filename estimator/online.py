@@ -25,7 +25,7 @@ class OnlineConfig(Config):
     front_end: FrontEndConfig = FrontEndConfig()
     window: WindowConfig = WindowConfig()
     pace: PaceConfig = PaceConfig()
-    shared_scale_sigma: float = 0.003
+    shared_scale_sigma: float = 0.005
     converged_rotation_rad: float = 0.0017
     converged_translation_m: float = 0.04
     min_links: int = 30
