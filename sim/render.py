@@ -25,7 +25,7 @@ from sim.shadow_map import SharedShadowMap
 RgbImage = npt.NDArray[np.uint8]
 
 MULTISAMPLES = 4
-SHADOW_MAP_PX = 3072
+SHADOW_MAP_PX = 4096
 SHADOW_RADIUS_M = 60.0  # of what the sun's shadow map covers
 SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0

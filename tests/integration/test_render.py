@@ -1,4 +1,4 @@
-"""The renderer's short cuts (one shadow map for all cameras, drawing only what is in view) change no pixel."""
+"""The short cuts of the renderer (shadows drawn once, nothing drawn that is out of view) change no pixel."""
 
 from __future__ import annotations
 
