@@ -1,4 +1,4 @@
-"""The relief of a house: panels at their depths with reveals between them, gable walls, roof, chimney."""
+"""The relief of a house: panels at their depths with reveals between them, gable walls and roof."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from collections.abc import Iterator
 import numpy as np
 
 from estimator.se3 import Array
-from sim.facade_plan import Facade
+from sim.facade import Facade
 from sim.street_mesh import Mesh, merged, quads
 
 GABLE_M = 5.0  # width of the gable wall in the texture
 ROOF_M = 3.0  # width of the roof tiles in the texture
 
 
-def house_mesh(facade: Facade, front_m: Array, back_m: Array, ridge_m: float) -> Mesh:
+def house_mesh(facade: Facade, front_m: Array, back_m: Array, ridge_m: float, relief_m: float) -> Mesh:
     """Build a house around its front.
 
     Args:
@@ -22,11 +22,12 @@ def house_mesh(facade: Facade, front_m: Array, back_m: Array, ridge_m: float) ->
         front_m: (2, 2) world xy of the left and right front corner, seen from the street.
         back_m: (2, 2) the corners behind them.
         ridge_m: Height of the ridge above the eaves.
+        relief_m: Panels nearer to the wall than this stay in it.
     """
     left, right = np.asarray(front_m, float)
     along = (right - left) / np.linalg.norm(right - left)
     outward = np.array([along[1], -along[0]])
-    corners, uvs = _relief(facade)
+    corners, uvs = _relief(facade, relief_m)
     flat = corners.reshape(-1, 3)  # x, z, depth
     xy = left + flat[:, :1] * along + flat[:, 2:] * outward
     world = np.hstack([xy, flat[:, 1:2]]).reshape(-1, 4, 3)
@@ -40,23 +41,24 @@ def atlas_width_m(facade: Facade) -> float:
     return facade.width_m + GABLE_M + ROOF_M
 
 
-def _depths(facade: Facade) -> tuple[Array, Array, Array]:
+def _depths(facade: Facade, relief_m: float) -> tuple[Array, Array, Array]:
     """Grid lines in x and z, and the depth of every cell between them."""
-    xs = [0.0, facade.width_m] + [x for p in facade.panels for x in (p.x0, p.x1)]
-    zs = [0.0, facade.height_m] + [z for p in facade.panels for z in (p.z0, p.z1)]
+    panels = [p for p in facade.panels if abs(p.depth_m) >= relief_m]
+    xs = [0.0, facade.width_m] + [x for p in panels for x in (p.x0, p.x1)]
+    zs = [0.0, facade.height_m] + [z for p in panels for z in (p.z0, p.z1)]
     x = np.unique(np.round(np.clip(xs, 0, facade.width_m), 3))
     z = np.unique(np.round(np.clip(zs, 0, facade.height_m), 3))
     depth = np.zeros((len(z) - 1, len(x) - 1))
     middle_x, middle_z = (x[1:] + x[:-1]) / 2, (z[1:] + z[:-1]) / 2
-    for p in facade.panels:
+    for p in panels:
         inside = np.ix_((middle_z > p.z0) & (middle_z < p.z1), (middle_x > p.x0) & (middle_x < p.x1))
         depth[inside] = p.depth_m
     return x, z, depth
 
 
-def _relief(facade: Facade) -> tuple[Array, Array]:
+def _relief(facade: Facade, relief_m: float) -> tuple[Array, Array]:
     """Quads in (x, z, depth) and their texture coordinates: fronts, reveals, ledges."""
-    x, z, depth = _depths(facade)
+    x, z, depth = _depths(facade, relief_m)
     corners: list[list[tuple[float, float, float]]] = []
     for i, row in enumerate(depth):
         start = 0
@@ -101,7 +103,7 @@ def _runs(one: Array, other: Array) -> Iterator[tuple[int, int, float, float]]:
 
 
 def _walls_and_roof(facade: Facade, front: Array, back: Array, ridge_m: float) -> Mesh:
-    """Two gable walls, the back, both roof planes, a chimney, and a backing that closes hairline gaps."""
+    """Two gable walls, the back, both roof planes, and a backing that closes hairline gaps."""
     total, height = atlas_width_m(facade), facade.height_m
     g0, g1 = facade.width_m / total, (facade.width_m + GABLE_M) / total
     gable = np.array([[g0, 1.0], [g1, 1.0], [g1, 0.0], [g0, 0.0]])

@@ -1,16 +1,13 @@
-"""The plan of one facade: a list of panels that stand out of or back from the wall.
-
-Facade coordinates: x from the left corner as seen from the street, z up from the pavement, depth towards the
-street. Later panels lie over earlier ones.
-"""
+"""Drawing the plan of one facade by rules: floors, bays, windows, doors, shops, balconies."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
-Rgb = tuple[float, float, float]
+from sim.facade import Facade, Panel, Rgb
+
 WALL_COLORS: tuple[Rgb, ...] = (
     (226, 218, 196), (198, 176, 138), (236, 232, 222), (176, 132, 104), (128, 136, 134),
     (222, 196, 150), (118, 84, 70), (240, 230, 198), (150, 164, 150), (210, 168, 140), (232, 228, 216),
@@ -37,39 +34,6 @@ ACCENT_COLORS: tuple[Rgb, ...] = (
     (60, 60, 62),
     (150, 110, 40),
 )
-
-
-@dataclass(frozen=True)
-class Panel:
-    """An upright rectangle of the facade at one depth.
-
-    Attributes:
-        x0, x1, z0, z1: Its edges in metres.
-        depth_m: How far it stands out of the wall; negative is recessed.
-        kind: What is painted on it.
-    """
-
-    x0: float
-    x1: float
-    z0: float
-    z1: float
-    depth_m: float
-    kind: str
-
-
-@dataclass(frozen=True)
-class Facade:
-    """Everything a builder and a painter need to know of a house front."""
-
-    width_m: float
-    height_m: float
-    wall: str  # brick | plaster | ashlar | boards
-    wall_color: Rgb
-    trim_color: Rgb
-    accent_color: Rgb
-    muntins: int
-    corner: bool
-    panels: tuple[Panel, ...] = field(default=())
 
 
 @dataclass(frozen=True)

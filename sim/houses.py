@@ -10,15 +10,27 @@ import numpy as np
 from estimator.se3 import Array
 from sim.facade_mesh import house_mesh
 from sim.facade_plan import draw_facade
-from sim.ground import KERB_M
 from sim.scenery import NOTHING, Prop, Scenery, Skin
-from sim.street_layout import Layout
+from sim.street_layout import KERB_M, Layout
 from sim.street_path import Path
 from sim.textures_facade import paint_facade
 
 DEPTH_M = 5.6
 SETBACKS_M = (0.0, 0.0, 0.0, 0.35, 2.6)
 GARDEN_SHARE = 0.16
+FAR_M = 22.0
+
+
+@dataclass(frozen=True)
+class Detail:
+    """How finely a house is built: the flattest relief that is modelled, and the size of a texel."""
+
+    relief_m: float
+    texel_m: float
+
+
+NEAR = Detail(0.03, 0.017)
+FAR = Detail(0.15, 0.034)
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,22 +130,25 @@ def _closing(path: Path, s_m: float, ahead: int, left_m: float, right_m: float) 
     return Lot(path.point_m(near, d), path.point_m(far, d), 0.0, 0, (near, far), path, 0.0)
 
 
-def build_houses(lots: list[Lot], rng: np.random.Generator) -> Scenery:
-    """One house with its own facade on every lot."""
+def build_houses(layout: Layout, lots: list[Lot], rng: np.random.Generator) -> Scenery:
+    """One house with its own facade on every lot; what is never seen from near is built more coarsely."""
     scenery = NOTHING
+    driven_m = layout.path.point_m(np.arange(0.0, layout.length_m, 2.0))
     for k, (lot, stream) in enumerate(zip(lots, rng.spawn(len(lots)), strict=True)):
         if lot.use != "garden":
-            scenery += _house(f"house_{k}", lot, stream)
+            nearest_m = np.linalg.norm(driven_m - lot.front_m.mean(axis=0), axis=1).min()
+            detail = NEAR if nearest_m < FAR_M else FAR
+            scenery += _house(f"house_{k}", lot, detail, stream)
     return scenery
 
 
-def _house(name: str, lot: Lot, rng: np.random.Generator) -> Scenery:
+def _house(name: str, lot: Lot, detail: Detail, rng: np.random.Generator) -> Scenery:
     facade = draw_facade(
         float(np.linalg.norm(lot.front_m[1] - lot.front_m[0])),
         rng,
         shops=lot.setback_m < 1.0,
         corner=lot.use == "corner",
     )
-    mesh = house_mesh(facade, lot.front_m, lot.back_m, float(rng.choice([0.05, 1.8, 2.6])))
+    mesh = house_mesh(facade, lot.front_m, lot.back_m, float(rng.choice([0.05, 1.8, 2.6])), detail.relief_m)
     prop = Prop(name, mesh, name, (0.0, 0.0, KERB_M), footprint_m=lot.outline_m)
-    return Scenery((prop,), {name: Skin(paint_facade(facade, rng))})
+    return Scenery((prop,), {name: Skin(paint_facade(facade, detail.texel_m, rng))})

@@ -22,7 +22,7 @@ class StreetConfig(Config):
     """Which street, and how long."""
 
     kind: Literal["bend"] = "bend"
-    length_m: float = Field(70.0, ge=20.0, le=2000.0)
+    length_m: float = Field(70.0, ge=20.0, le=300.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,5 +49,7 @@ def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
     plan, ground, plots, houses, things = rng.spawn(5)
     layout = draw_layout(config.length_m, plan)
     lots = draw_lots(layout, plots)
-    scenery = build_ground(layout, ground) + build_houses(lots, houses) + furnish(layout, lots, things)
+    scenery = (
+        build_ground(layout, ground) + build_houses(layout, lots, houses) + furnish(layout, lots, things)
+    )
     return Street(lane_centerline_m(layout), layout, scenery)

@@ -17,6 +17,8 @@ BEHIND_M = 45.0
 BEYOND_M = 60.0
 LANE_M = 3.1
 PARKING_M = 2.1
+BAY_M = 5.6
+KERB_M = 0.12
 SIDE_DEPTH_M = 46.0
 LATER_BEND_EVERY_M = 85.0
 
@@ -83,8 +85,8 @@ class Layout:
 def draw_layout(length_m: float, rng: np.random.Generator) -> Layout:
     """Draw the plan of a street with a bend and a junction within the first sixty metres."""
     turn = float(rng.choice([-1.0, 1.0]))
-    angle_rad = turn * np.deg2rad(rng.uniform(48, 60))
-    radius_m = float(rng.uniform(21.0, 24.0))
+    angle_rad = turn * np.deg2rad(rng.uniform(47, 56))
+    radius_m = float(rng.uniform(23.0, 25.0))
     junction_first = bool(rng.random() < 0.5)
     bend_start_m = float(rng.uniform(24, 26) if junction_first else rng.uniform(10, 12))
     bend_end_m = bend_start_m + bend_length_m(angle_rad, radius_m)
@@ -112,7 +114,7 @@ def _main_section(rng: np.random.Generator) -> Section:
     kerb_right = -LANE_M / 2 - (PARKING_M if parking < 0 else 0.3)
     kerb_left = 1.5 * LANE_M + (PARKING_M if parking > 0 else 0.1)
     # Without a parking strip the pavement is wider, so that facades stand five metres or more from the lane.
-    pavement_right = rng.uniform(2.4, 3.0) if parking < 0 else rng.uniform(3.3, 4.0)
+    pavement_right = rng.uniform(2.4, 3.0) if parking < 0 else rng.uniform(4.0, 4.8)
     pavement_left = rng.uniform(2.4, 3.0)
     return Section(
         kerb_left, kerb_right, kerb_left + pavement_left, kerb_right - pavement_right, LANE_M / 2, parking

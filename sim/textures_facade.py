@@ -6,21 +6,17 @@ from collections.abc import Callable
 
 import numpy as np
 
+from sim.facade import Facade, Panel
 from sim.facade_mesh import GABLE_M, atlas_width_m
-from sim.facade_plan import Facade, Panel
 from sim.textures_canvas import Canvas, RgbImage
 from sim.textures_noise import crooked_line, fractal, smoothstep
 from sim.textures_openings import PAINTERS
 from sim.textures_paving import lay_setts
 
-FACADE_TEXEL_M = 0.017
 
-
-def paint_facade(facade: Facade, rng: np.random.Generator) -> RgbImage:
+def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> RgbImage:
     """Front, gable and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
-    canvas = Canvas(
-        atlas_width_m(facade), facade.height_m, (FACADE_TEXEL_M, FACADE_TEXEL_M), facade.wall_color
-    )
+    canvas = Canvas(atlas_width_m(facade), facade.height_m, (texel_m, texel_m), facade.wall_color)
     _WALLS[facade.wall](canvas, facade, rng)
     _age(canvas, facade, rng)
     for panel in (*facade.panels, *_gable_windows(facade)):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from sim.street_layout import LANE_M, Layout
+from sim.street_layout import BAY_M, LANE_M, Layout
 from sim.textures_paving import lay_setts
 from sim.textures_road import PAINT, RoadCanvas
 
@@ -74,15 +74,15 @@ def _paint_bays(road: RoadCanvas, layout: Layout, rng: np.random.Generator) -> N
     side = section.parking_side
     kerb, lane_edge = section.kerb_m(side), section.kerb_m(side) - 2.0 * side
     first, last = layout.mouth_m if side == layout.junction.side else (1e9, 1e9)
-    for s in np.arange(layout.path.start_m, layout.path.end_m - 5.5, 5.6):
+    for s in np.arange(layout.path.start_m, layout.path.end_m - BAY_M, BAY_M):
         if first - 6.0 < s < last + 0.5:
             continue
-        _setts(road, s, kerb - 0.3 * side, s + 5.6, lane_edge, float(rng.uniform(95, 130)), rng)
+        _setts(road, s, kerb - 0.3 * side, s + BAY_M, lane_edge, float(rng.uniform(95, 130)), rng)
         low, high = sorted((kerb, lane_edge))
         road.mark(s, low, s + 0.1, high)
         edge = sorted((lane_edge, lane_edge + 0.1 * side))
         road.mark(s, edge[0], s + 0.8, edge[1])
-        road.mark(s + 4.8, edge[0], s + 5.6, edge[1])
+        road.mark(s + BAY_M - 0.8, edge[0], s + BAY_M, edge[1])
 
 
 def _arrow(road: RoadCanvas, s: float, d: float) -> None:

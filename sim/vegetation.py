@@ -1,7 +1,7 @@
-"""Trees, bushes and hedges: trunks and boughs as tubes, foliage as many small leaf cards.
+"""Trees, bushes and hedges: trunks and boughs as tubes, foliage as leaf cards before lumpy leafy cores.
 
-A leaf card is an opaque kite seen from both sides. Its normals point out of the crown rather than out of the
-card, so that a crown is shaded as one lumpy body and not as confetti.
+Normals of cards point out of the crown rather than out of the card, so that a crown is shaded as one lumpy
+body and not as confetti.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ def tree_mesh(height_m: float, crown_m: float, rng: np.random.Generator) -> Mesh
     )
     lumps = _lumps(middle, half, 13, rng)
     start = np.array([*wave[-2], heights[-2]])
-    boughs = [_bough(start, lump, 0.45 * radius, rng) for lump in lumps[:8]]
+    boughs = [_bough(start, lump, 0.45 * radius, rng) for lump in lumps[:6]]
     return merged(
         [
             trunk,
             *boughs,
-            *_cores(lumps, 0.5 * crown_m, middle, rng),
-            _foliage(lumps, 0.36 * crown_m, 230, (0.16, 0.32), middle, rng),
+            *_cores(lumps[:9], 0.54 * crown_m, middle, rng),
+            _foliage(lumps, 0.36 * crown_m, 190, (0.17, 0.34), middle, rng),
         ]
     )
 
@@ -80,7 +80,7 @@ def _lumps(middle: Array, half: Array, count: int, rng: np.random.Generator) -> 
 
 def _cores(lumps: Array, radius_m: float, middle: Array, rng: np.random.Generator) -> list[Mesh]:
     """Lumpy leafy bodies inside the clusters, which make a crown dense without thousands of cards."""
-    rows, columns = 4, 7
+    rows, columns = 3, 6
     up, around = np.meshgrid(
         np.linspace(-1.4, 1.4, rows + 1), np.linspace(0, 2 * np.pi, columns + 1), indexing="ij"
     )
@@ -131,10 +131,10 @@ def _foliage(
 
 
 def _cards(spots: Array, out: Array, size_m: tuple[float, float], rng: np.random.Generator) -> Mesh:
-    """Two-sided kites at the spots; ``out`` gives the normals, (N, 3) not yet unit."""
+    """Kites at the spots that look roughly along ``out``, (N, 3), which gives their normals."""
     count = len(spots)
     normal = out / np.linalg.norm(out, axis=1, keepdims=True)
-    facing = normal + 0.7 * rng.standard_normal((count, 3))
+    facing = normal + 0.5 * rng.standard_normal((count, 3))
     facing /= np.linalg.norm(facing, axis=1, keepdims=True)
     a = np.cross(facing, rng.standard_normal((count, 3)))
     a /= np.linalg.norm(a, axis=1, keepdims=True)
@@ -151,5 +151,5 @@ def _cards(spots: Array, out: Array, size_m: tuple[float, float], rng: np.random
         corners.reshape(-1, 3),
         np.repeat(normal, 4, axis=0),
         np.stack([u, v], axis=-1).reshape(-1, 2),
-        np.vstack([front, front[:, ::-1]]),
+        front,
     )
