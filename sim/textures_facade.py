@@ -24,7 +24,7 @@ def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> Rg
         PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
     _scribble(canvas, facade, rng)
     _tile_roof(canvas, facade, rng)
-    canvas.shade(0.03 * fractal(rng, canvas.shape, canvas.cells(0.3), 3, 0.8))
+    canvas.shade(0.02 * fractal(rng, canvas.shape, canvas.cells(0.3), 2, 0.7))
     return canvas.image()
 
 
@@ -96,7 +96,7 @@ def _age(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     streaks = fractal(rng, shape, (canvas.cells(2.5)[0], canvas.cells(0.16)[1]), 3, 0.7)
     height = np.linspace(facade.height_m, 0, shape[0], dtype=np.float32)[:, None]
     foot = smoothstep(0.9, 0.0, height + 0.25 * blotches)
-    canvas.shade(0.09 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
+    canvas.shade(0.075 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
     for _ in range(int(rng.integers(2, 6))):
         start = np.array([rng.uniform(0, facade.width_m + GABLE_M), rng.uniform(0, facade.height_m)])
         line = crooked_line(rng, start, rng.uniform(0.9, 2.2), rng.uniform(0.5, 2.5), 0.5)

@@ -9,6 +9,8 @@ import numpy as np
 from sim.textures_canvas import Canvas
 from sim.textures_noise import crooked_line, fractal
 
+JOINT = 0.7  # tone of a joint relative to the stones
+
 
 def lay_setts(
     canvas: Canvas,
@@ -35,12 +37,12 @@ def lay_setts(
         count = int((x1 - x0) / stone_m[0] / 0.8) + 3
         edges = x0 - rng.uniform(0, stone_m[0]) + np.cumsum(stone_m[0] * rng.uniform(0.8, 1.25, count))
         stone = np.searchsorted(edges, x)
-        shade = tone * rng.uniform(0.82, 1.18, count + 1)[:, None] * np.array([1.02, 1.0, 0.96])
+        shade = tone * rng.uniform(0.87, 1.13, count + 1)[:, None] * np.array([1.02, 1.0, 0.96])
         row = shade[stone]
         inside = np.concatenate([[x0], edges])[stone]
-        row[x - inside < max(joint_m, 0.8 * canvas.texel_m[0])] = tone * 0.5
+        row[x - inside < max(joint_m, 0.8 * canvas.texel_m[0])] = tone * JOINT
         canvas.pixels[low:high, left:right] = row
-        canvas.pixels[low : low + max(1, round(joint_m / canvas.texel_m[1])), left:right] = tone * 0.5
+        canvas.pixels[low : low + max(1, round(joint_m / canvas.texel_m[1])), left:right] = tone * JOINT
 
 
 def pavement(
@@ -58,7 +60,7 @@ def pavement(
     canvas = Canvas(length_m, width_m, texel_m, (140, 137, 130))
     # The ground behind the facade line is seen in front gardens and gaps only: trodden earth and gravel.
     kind = rng.choice(["slabs", "slabs", "setts"])
-    tone = rng.uniform(128, 160)
+    tone = rng.uniform(104, 138)
     stone = (rng.uniform(0.4, 0.6), rng.uniform(0.35, 0.5)) if kind == "slabs" else (0.2, 0.2)
     lay_setts(canvas, 0, 0, length_m, width_m, stone, tone, rng)
     for _ in range(round(length_m * width_m / 12)):

@@ -58,7 +58,7 @@ def asphalt(
     worn = smoothstep(-1.5, 0.3, fractal(rng, shape, canvas.cells(0.5), 6, 0.8))
     road = RoadCanvas(canvas, start_m, left_m, 0.25 + 0.75 * worn)
     # Polished stretches between rough ones: a road is not equally busy everywhere.
-    rough = 0.02 + 0.06 * smoothstep(-0.3, 1.2, fractal(rng, shape, canvas.cells(2.2), 2))
+    rough = 0.014 + 0.056 * smoothstep(-0.3, 1.2, fractal(rng, shape, canvas.cells(2.2), 2))
     canvas.shade(
         0.08 * fractal(rng, shape, canvas.cells(3.0), 3)
         + rough * fractal(rng, shape, canvas.cells(0.45), 4, 0.6)

@@ -22,7 +22,7 @@ SHOP_NAMES = (
 
 def paint_glass(canvas: Canvas, p: Panel, rng: np.random.Generator) -> None:
     """Dark rooms behind, a patch of mirrored sky, curtains or blinds."""
-    tone = rng.uniform(22, 58)
+    tone = rng.uniform(34, 84)
     canvas.rect(p.x0, p.z0, p.x1, p.z1, (tone, tone * 1.05, tone * 1.12))
     w, h = p.x1 - p.x0, p.z1 - p.z0
     slant = np.array([[0.0, 0.0], [0.75, 0.0], [0.2, 1.0], [0.0, 1.0]]) * [w, h * rng.uniform(0.3, 0.8)]
@@ -41,15 +41,15 @@ def paint_glass(canvas: Canvas, p: Panel, rng: np.random.Generator) -> None:
 
 def _display(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator) -> None:
     """A shop window: shelves with goods, stickers, a mirrored street."""
-    canvas.rect(p.x0, p.z0, p.x1, p.z1, (42, 42, 44))
+    canvas.rect(p.x0, p.z0, p.x1, p.z1, (58, 58, 60))
     for shelf in np.arange(p.z0 + 0.55, p.z1 - 0.05, rng.uniform(0.4, 0.6)):
         canvas.rect(p.x0, shelf, p.x1, shelf + 0.03, (150, 140, 120))
         x = p.x0 + 0.1
         while x < p.x1 - 0.15:
             w, h = rng.uniform(0.08, 0.26), rng.uniform(0.1, 0.38)
-            canvas.rect(x, shelf - h, min(x + w, p.x1), shelf, rng.uniform(40, 230, 3))
+            canvas.rect(x, shelf - h, min(x + w, p.x1), shelf, rng.uniform(70, 190, 3))
             canvas.rect(
-                x + 0.02, shelf - h * 0.6, min(x + w - 0.02, p.x1), shelf - h * 0.35, rng.uniform(120, 250, 3)
+                x + 0.02, shelf - h * 0.6, min(x + w - 0.02, p.x1), shelf - h * 0.35, rng.uniform(110, 215, 3)
             )
             x += w + rng.uniform(0.03, 0.2)
     w, h = p.x1 - p.x0, p.z1 - p.z0

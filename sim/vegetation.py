@@ -122,7 +122,7 @@ def _foliage(
     """Cards scattered around the clusters."""
     offsets = rng.standard_normal((count, 3))
     offsets *= (
-        np.minimum(1.0, 1.8 / np.linalg.norm(offsets, axis=1, keepdims=True)) * spread_m * [1.0, 1.0, 0.75]
+        np.minimum(1.0, 1.45 / np.linalg.norm(offsets, axis=1, keepdims=True)) * spread_m * [1.0, 1.0, 0.75]
     )
     spots = lumps[rng.integers(len(lumps), size=count)] + offsets
     spots[:, 2] = np.maximum(spots[:, 2], 0.05)
