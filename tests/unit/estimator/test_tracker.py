@@ -1,0 +1,126 @@
+"""The table of tracks: ids, first views, points, and when a track is given up."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.se3 import SE3
+from estimator.tracker import Tracker, TrackerConfig
+from tests.canyon import cast, render
+from tests.mounts import PINHOLE, arc, left_side_rig
+
+MOUNT = left_side_rig()["front"].ego_from_cam
+CAMS = tuple(pose @ MOUNT for pose in arc(0.5, 4))
+IMAGES = [render(PINHOLE, cam) for cam in CAMS]
+ELSEWHERE = SE3.exp(np.array([0.1, 0.0, 0.3, 5.0, -2.0, 0.4]))
+
+
+def started() -> Tracker:
+    tracker = Tracker(PINHOLE, TrackerConfig())
+    tracker.advance(IMAGES[0], np.zeros((0, 2)))
+    tracker.replenish(None)
+    tracker.anchor(CAMS[0])
+    return tracker
+
+
+def driven() -> Tracker:
+    tracker = started()
+    for index in (1, 2, 3):
+        tracker.advance(IMAGES[index], tracker.predict(CAMS[index - 1], CAMS[index]))
+        tracker.locate(CAMS[index])
+    return tracker
+
+
+def test_it_fills_up_to_its_places_and_no_further() -> None:
+    tracker = started()
+    assert len(tracker.ids) == TrackerConfig().max_points
+    tracker.replenish(None)
+    assert len(tracker.ids) == TrackerConfig().max_points
+
+
+def test_an_id_is_given_once() -> None:
+    tracker = started()
+    old = tracker.ids
+    tracker.keep(old % 2 == 0)
+    tracker.replenish(None)
+    assert len(np.unique(tracker.ids)) == len(tracker.ids) > len(old) // 2
+    assert tracker.ids[len(old) // 2 :].min() > old.max()
+
+
+def test_tracks_follow_their_points_and_find_them() -> None:
+    tracker = driven()
+    true = cast(CAMS[0], tracker.anchor_rays_cam)[0]
+    near = np.linalg.norm(true - CAMS[3].translation, axis=1) < 10
+    known = np.isfinite(tracker.points_world[:, 0]) & near
+    assert known.sum() > 30
+    distance_m = np.linalg.norm(tracker.points_world[known] - true[known], axis=1)
+    assert np.median(distance_m) < 0.2
+    assert len(tracker.ids) > 0.4 * TrackerConfig().max_points
+
+
+def test_a_track_with_a_point_is_predicted_where_it_appears() -> None:
+    tracker = driven()
+    tracker.points_world = cast(CAMS[3], tracker.rays_cam)[0]
+    before = CAMS[3] @ SE3.exp(np.array([0.0, 0.0, 0.0, 0.0, 0.0, -0.5]))
+    predicted = tracker.predict(CAMS[3], before)
+    wanted = PINHOLE.project(before.inverse().apply(tracker.points_world))
+    inside = PINHOLE.contains(wanted)
+    np.testing.assert_allclose(predicted[inside], wanted[inside])
+    assert np.isfinite(predicted).all()
+
+
+def test_a_track_without_a_point_that_looks_down_is_predicted_on_the_road() -> None:
+    tracker = started()
+    true = cast(CAMS[0], tracker.rays_cam)[0]
+    road = (np.abs(true[:, 2]) < 1e-6) & (true[:, 0] < 9)
+    wanted = PINHOLE.project(CAMS[1].inverse().apply(true))
+    road &= PINHOLE.contains(wanted)
+    assert road.sum() > 20
+    np.testing.assert_allclose(tracker.predict(CAMS[0], CAMS[1])[road], wanted[road], atol=1e-6)
+
+
+def test_a_missing_image_forgets_everything() -> None:
+    tracker = driven()
+    tracker.miss()
+    assert len(tracker.ids) == 0 and tracker.image is None
+    tracker.advance(IMAGES[3], np.zeros((0, 2)))
+    tracker.replenish(None)
+    assert len(tracker.ids) > 100
+
+
+def test_an_image_of_another_size_starts_afresh() -> None:
+    tracker = driven()
+    tracker.advance(np.ascontiguousarray(IMAGES[3][:150]), tracker.pixels)
+    assert len(tracker.ids) == 0
+
+
+def test_long_tracks_and_the_car_s_own_parts_are_given_up() -> None:
+    tracker = started()
+    count = len(tracker.ids)
+    tracker.pixels = tracker.pixels + 50.0
+    tracker.pixels[:7] = tracker.anchor_pixels[:7]
+    ahead = CAMS[0] @ SE3(np.eye(3), np.array([0.0, 0.0, 4.0]))
+    tracker.retire(ahead)
+    assert len(tracker.ids) == count - 7
+    tracker.retire(CAMS[0] @ SE3(np.eye(3), np.array([0.0, 0.0, 12.5])))
+    assert len(tracker.ids) == 0
+
+
+def test_a_moved_world_takes_points_and_first_views_along() -> None:
+    tracker = driven()
+    points = tracker.points_world.copy()
+    tracker.move_world(ELSEWHERE, 1.0, np.zeros(3))
+    np.testing.assert_allclose(tracker.points_world, ELSEWHERE.apply(points))
+    tracker.points_world[:] = np.nan
+    tracker.locate(ELSEWHERE @ CAMS[3])
+    known = np.isfinite(tracker.points_world[:, 0])
+    assert known.sum() > 50
+    np.testing.assert_allclose(tracker.points_world[known], ELSEWHERE.apply(points)[known], atol=1e-6)
+
+
+def test_a_scaled_world_keeps_the_camera_it_is_scaled_about() -> None:
+    tracker = driven()
+    before = PINHOLE.project(CAMS[3].inverse().apply(tracker.points_world))
+    tracker.move_world(SE3(), 1.3, CAMS[3].translation)
+    after = PINHOLE.project(CAMS[3].inverse().apply(tracker.points_world))
+    np.testing.assert_allclose(after, before, atol=1e-8)
