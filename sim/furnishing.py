@@ -25,9 +25,9 @@ def furnish(layout: Layout, lots: list[Lot], rng: np.random.Generator) -> Scener
     start = abs(layout.section.kerb_m(layout.junction.side)) + layout.junction.corner_m + 3.0
     side = Site("side", layout.junction.path, layout.junction.section, ground, [(-99.0, start)])
     catalogue = Catalogue(models)
-    plant_front_gardens(main, lots, garden_rng)
     for lot in (lot for lot in lots if lot.use == "garden"):
         plant_garden(main if lot.path is layout.path else side, lot, catalogue, garden_rng)
+    plant_front_gardens(main, lots, garden_rng)
     car_skins, car_things = draw_cars(cars)
     park(main, layout, car_things, main_rng)
     park_side(side, car_things, side_rng)

@@ -73,13 +73,11 @@ def _mesh(kind: CarKind) -> Mesh:
     a, b = rings[:-1], rings[1:]
     corners = np.stack([a[:, :-1], b[:, :-1], b[:, 1:], a[:, 1:]], axis=2).reshape(-1, 4, 3)
     ends = []
-    for ring, order in ((rings[0], slice(None, None, -1)), (rings[-1], slice(None))):
-        half = len(ring) // 2
-        for k in range(half):
+    for ring, order in ((rings[0], slice(None)), (rings[-1], slice(None, None, -1))):
+        for k in range(len(ring) // 2):
             quad = np.array([ring[k], ring[k + 1], ring[-2 - k], ring[-1 - k]])
             ends.append(quad[order])
     hull = np.concatenate([corners, np.array(ends)])
-    hull = hull[:, ::-1]
     return merged([quads(hull, _project(hull)), *_wheels(kind)])
 
 
@@ -104,7 +102,7 @@ def _ring(x: float, top: float, kind: CarKind) -> list[tuple[float, float, float
 def _project(hull: Array) -> Array:
     """Texture coordinates by the side that a quad faces most."""
     normals = np.cross(hull[:, 2] - hull[:, 0], hull[:, 3] - hull[:, 1])
-    facing = np.argmax(np.abs(normals) * [0.9, 1.0, 0.8], axis=1)
+    facing = np.argmax(np.abs(normals) * [0.8, 1.0, 1.0], axis=1)
     x, y, z = hull[..., 0], hull[..., 1], hull[..., 2]
     ahead = normals[:, :1] > 0
     side = np.stack([SIDE_AT_M[0] + x, SIDE_AT_M[1] + TALL_M - z], axis=-1)
@@ -126,6 +124,6 @@ def _wheels(kind: CarKind) -> list[Mesh]:
             flat = disc((0, 0, 0), WHEEL_M, 14, rim).moved(yaw_rad=side * np.pi / 2)
             parts.append(flat.moved((axle, side * (half + 0.005), WHEEL_M)))
             y0, y1 = sorted((side * (half - 0.01), side * (half - 0.22)))
-            parts.append(box((axle - 0.24, y0, 0.0), (axle + 0.24, y1, 0.5), black))
+            parts.append(box((axle - 0.15, y0, 0.0), (axle + 0.15, y1, 0.5), black))
     parts.append(box((0.3, -half + 0.25, 0.15), (kind.profile_m[-1][0] - 0.3, half - 0.25, 0.4), black))
     return parts

@@ -48,19 +48,15 @@ def plant_front_gardens(street: Site, lots: list[Lot], rng: np.random.Generator)
     for lot in (lot for lot in lots if lot.setback_m > 1.0 and lot.use != "garden"):
         left, right = lot.front_m
         width = float(np.linalg.norm(right - left))
+        along = (right - left) / width
+        outward = np.array([along[1], -along[0]])
         fence, depth = _border(rng)
-        length = (width - 1.4) / 2
-        for low in (0.1, width - 0.1 - length):
-            middle = low + length / 2
-            share = middle / width
-            s = lot.span_m[0] + (share if lot.side > 0 else 1 - share) * (lot.span_m[1] - lot.span_m[0])
-            mesh = fence(length, rng)
-            street.put(
-                Thing(mesh, "plants" if depth > 0.4 else "furniture", (depth, length)),
-                s,
-                lot.front_line_m + 0.35 * lot.side,
-                np.pi / 2 - np.pi / 2 * lot.side,
-            )
+        length = (width - 1.6) / 2
+        yaw = float(np.arctan2(along[1], along[0])) - np.pi / 2
+        for middle in (0.2 + length / 2, width - 0.2 - length / 2):
+            skin = "plants" if depth > 0.4 else "furniture"
+            at = left + along * middle + outward * (lot.setback_m - 0.4)
+            street.put_at(Thing(fence(length, rng), skin, (depth, length)), at, yaw)
         for share in np.linspace(0.12, 0.88, max(2, round(width / 1.6))):
             s = lot.span_m[0] + share * (lot.span_m[1] - lot.span_m[0])
             radius = float(rng.uniform(0.4, 0.7))

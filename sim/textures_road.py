@@ -53,7 +53,7 @@ def asphalt(
     start_m: float, end_m: float, right_m: float, left_m: float, rng: np.random.Generator
 ) -> RoadCanvas:
     """Lay asphalt of several ages between two s and two d, with repairs, cracks, stains and covers."""
-    canvas = Canvas(end_m - start_m, left_m - right_m, ROAD_TEXEL_M, (104, 103, 101))
+    canvas = Canvas(end_m - start_m, left_m - right_m, ROAD_TEXEL_M, (98, 97, 96))
     shape = canvas.shape
     worn = smoothstep(-1.5, 0.3, fractal(rng, shape, canvas.cells(0.5), 6, 0.8))
     road = RoadCanvas(canvas, start_m, left_m, 0.25 + 0.75 * worn)
@@ -83,7 +83,7 @@ def _lay_repairs(
         length, width = length * rng.uniform(0.7, 1.4), width * rng.uniform(0.7, 1.3)
         corners = np.array([[0, 0], [length, 0], [length, width], [0, width]]) + np.array([x, y])
         corners += rng.normal(0, 0.04, (4, 2))
-        tone = rng.uniform(72, 138)
+        tone = rng.uniform(66, 124)
         canvas.fill(corners, (tone, tone, tone * 0.98), 0.85, np.clip(0.85 + 0.12 * grain, 0, 1))
         canvas.stroke(corners, rng.uniform(0.03, 0.08), (48, 48, 50), 0.7, closed=True)
 

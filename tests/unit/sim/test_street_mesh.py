@@ -4,7 +4,9 @@ import numpy as np
 import pytest
 
 from sim.footprint import Ground, gap_m, rectangle_m
+from sim.parked_cars import KINDS, CarKind, car, outline_m
 from sim.street_mesh import Mesh, box, disc, merged, tube
+from sim.vegetation import bush_mesh
 
 
 def outward_share(mesh: Mesh, center: np.ndarray) -> float:
@@ -36,6 +38,21 @@ def test_a_wall_of_a_box_reads_from_left_to_right() -> None:
     front = np.isclose(mesh.normals[:, 1], -1.0)  # seen from -y, +x is to the right
     x, u = mesh.vertices_m[front, 0], mesh.uvs[front, 0]
     np.testing.assert_allclose(u, x)
+
+
+@pytest.mark.parametrize("kind", sorted(set(KINDS), key=repr))
+def test_a_parked_car_looks_outwards_on_its_wheels(kind: CarKind) -> None:
+    mesh, _ = car(kind, np.random.default_rng(0))
+    assert outward_share(mesh, np.array([0.0, 0.0, 0.5])) > 0.75  # the inner walls of tyres look inwards
+    lowest, highest = mesh.vertices_m.min(axis=0), mesh.vertices_m.max(axis=0)
+    length, width = outline_m(kind)
+    np.testing.assert_allclose(highest[:2] - lowest[:2], [length, width], atol=0.05)
+    assert lowest[2] == pytest.approx(0.0)
+
+
+def test_a_leaf_card_looks_out_of_its_crown() -> None:
+    mesh = bush_mesh(0.8, np.random.default_rng(0))
+    assert outward_share(mesh, np.array([0.0, 0.0, 0.3])) > 0.7
 
 
 def test_merging_keeps_every_triangle_where_it_was() -> None:
