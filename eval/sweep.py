@@ -55,7 +55,9 @@ def _run_waiting(jobs: list[SweepJob], workers: int, console: Console) -> dict[S
 
     def on_done(job: SweepJob, failure: str | None) -> None:
         ended.append(job)
-        if failure is not None:
+        if failure is None:
+            console.say(f"done: {job.request.out}")
+        else:
             failures[job] = failure
             console.say(f"failed: {job.request.out}: {failure}")
         console.progress("running", len(ended), len(jobs))

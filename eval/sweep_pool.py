@@ -81,6 +81,8 @@ def _work(job: SweepJob) -> str | None:
     _is_busy = True
     try:
         return run_job(job)
+    except KeyboardInterrupt:
+        os._exit(1)  # asked to stop: a dead worker may hold the pool's queue, so never go back to it
     finally:
         _is_busy = False
 

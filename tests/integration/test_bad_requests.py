@@ -133,6 +133,17 @@ def test_ctrl_c_while_rendering_leaves_nothing(house: Path, tiny: str, tmp_path:
     assert sorted(path.name for path in (house / "cache").glob("*") if path.suffix != ".lock") == before
 
 
+def test_ctrl_c_in_a_sweep_stops_its_workers(house: Path, tiny: str, tmp_path: Path) -> None:
+    names = ", ".join(f"'{ESTIMATORS}:{name}'" for name in ("Sleeps", "Nominal"))
+    (tmp_path / "some.yaml").write_text(
+        f"about: A sweep.\nscenarios: [{tiny}]\nseeds: [0]\nestimators: [{names}]\n"
+    )
+    arguments = ("sweep", "./some.yaml", "--workers", "2", "--out", "sweep")
+    assert _interrupt(arguments, tmp_path, when="done: ") == 130
+    left = sorted(path.name for path in (tmp_path / "sweep").iterdir())
+    assert left == ["sweep.yaml", f"tiny-0-{ESTIMATORS}.Nominal"]
+
+
 def _interrupt(arguments: tuple[str, ...], folder: Path, when: str) -> int:
     """Start a command, send it Ctrl-C at a line of its standard error, and return its exit code."""
     with subprocess.Popen((*RIGTRUE, *arguments), cwd=folder, stderr=subprocess.PIPE, text=True) as process:
