@@ -24,7 +24,7 @@ _PLANE = gtsam.Cal3_S2(1.0, 1.0, 0.0, 0.0, 0.0)
 class GraphConfig(Config):
     """What is believed besides the images."""
 
-    road_sigma_m: float = 0.02
+    road_sigma_m: float = 0.04
     ride_height_sigma_m: float = 0.02
     ride_tilt_sigma_rad: float = 0.01
     iterations: int = 12

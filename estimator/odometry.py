@@ -138,7 +138,10 @@ class Odometry:
         points, angle = triangulate(index, np.vstack([first_cam, turned]), centers, count)
         points = points[angle > 0.005]
         level = points @ self.mounted.ego_from_cam.rotation.T
-        return road_scale(level, float(self.mounted.ego_from_cam.translation[2]))
+        # No metre yet: what is steeply below in the direction of travel is taken for the car's path.
+        heading = self.mounted.ego_from_cam.rotation @ first_from_last.translation
+        beside = np.abs(level @ np.array([-heading[1], heading[0], 0.0])) / np.hypot(*heading[:2])
+        return road_scale(level, beside < -level[:, 2], float(self.mounted.ego_from_cam.translation[2]))
 
     def _as_pinhole(self, rays_cam: Array) -> tuple[Array, float, dict[str, object]]:
         """Return (N, 2) plane points, a focal length that gives them pixel units, and poselib's camera."""

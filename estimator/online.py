@@ -55,7 +55,8 @@ class OnlineEstimator:
         started = self._front_end.advance(bundle, stopwatch)
         if started:
             self._keyframes = [self._front_end.keyframe()]
-        if started or self._front_end.metric:
+            self._path.begin(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
+        elif self._front_end.metric:
             self._path.append(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
         if self._front_end.metric and is_keyframe(
             self._keyframes, self._front_end.odometry, self.config.pace

@@ -15,8 +15,17 @@ class Path:
     def __init__(self) -> None:
         self._stamps_ns: list[int] = []
         self._world_from_egos: list[SE3] = []
+        self._begun = False
+
+    def begin(self, stamp_ns: int, world_from_ego: SE3) -> None:
+        """Add the place that motion counts from; if none came of the last such place, forget that one."""
+        if self._begun:
+            del self._stamps_ns[-1], self._world_from_egos[-1]
+        self.append(stamp_ns, world_from_ego)
+        self._begun = True
 
     def append(self, stamp_ns: int, world_from_ego: SE3) -> None:
+        self._begun = False
         self._stamps_ns.append(stamp_ns)
         self._world_from_egos.append(world_from_ego)
 

@@ -17,12 +17,13 @@ from estimator.anchors import choose_anchors
 from estimator.belief import Belief
 from estimator.bundle import Image
 from estimator.config import Config
+from estimator.corridor import low_landmarks, road_landmarks
 from estimator.factors import GraphConfig, Loss
 from estimator.graph import adjust
 from estimator.handover import HandoverConfig, hand_over
 from estimator.keyframe import Keyframe, gather_observations
 from estimator.observations import Mask, Observations
-from estimator.road import level_on_road, road_landmarks
+from estimator.road_level import level_on_road, rescale_on_road
 from estimator.scene import Scene
 from estimator.se3 import Array
 from estimator.stopwatch import Stopwatch
@@ -33,14 +34,15 @@ class WindowConfig(Config):
     """Noise, limits and search ranges of a window's calibration."""
 
     track_sigma_px: float = 0.5
-    anchored_sigma_px: float = 0.4
+    anchored_sigma_px: float = 0.5
     unsure_rad: float = 0.006
     wide_search_rad: float = 0.04
     narrow_search_rad: float = 0.008
     scale_sigma: float = 0.03
-    road_tolerance_m: float = 0.05
+    road_tolerance_m: float = 0.08
     result: ResultConfig = ResultConfig()
     graph: GraphConfig = GraphConfig()
+    rough_graph: GraphConfig = GraphConfig(road_sigma_m=0.08)  # pavements count as road
     handover: HandoverConfig = HandoverConfig()
     align: AlignConfig = AlignConfig()
 
@@ -111,7 +113,8 @@ class WindowCalibration:
         with self.stopwatch.stage("alone"):
             for loss_px, limit_px, tolerance_m in ((4.0, 20.0, 0.3), (1.5, 9.0, 0.12), (0.5, 3.0, 0.12)):
                 seen = self._believable(self.tracks, limit_px)
-                self._adjust(seen, Loss(loss_px), tolerance_m, fixed_poses=True)
+                flat = low_landmarks(self.scene, seen, tolerance_m)
+                self._adjust(seen, flat, Loss(loss_px), self.config.rough_graph, fixed_poses=True)
                 self.scene = self.scene.with_triangulated(
                     self.tracks, np.isnan(self.scene.points_world[:, 0])
                 )
@@ -131,9 +134,9 @@ class WindowCalibration:
 
     def _adjust_jointly(self, linked: Observations) -> None:
         with self.stopwatch.stage("window"):
-            wide = 4.0 if self._unsure() else 1.0
-            for loss_px in (wide, 1.0) if wide > 1.0 else (1.0,):
-                self._adjust(linked, Loss(loss_px), 0.6 * self.config.road_tolerance_m / 0.05 * 0.08)
+            for loss_px in (4.0, 1.0) if self._unsure() else (1.0,):
+                on_road = road_landmarks(self.scene, linked, self.config.road_tolerance_m)
+                self._adjust(linked, on_road, Loss(loss_px), self.config.graph)
                 linked = self._believable(linked, 4.0 * loss_px)
             self.scene = self.scene.with_triangulated(self.tracks, np.isnan(self.scene.points_world[:, 0]))
 
@@ -152,25 +155,29 @@ class WindowCalibration:
             sigma_px = np.full(len(linked), self.config.anchored_sigma_px)
             fine = replace(linked, pixels=measured.pixels, sigma_px=sigma_px)
             fine = fine.select(np.asarray(np.isfinite(fine.pixels).all(1))).of_enough_views(2)
+            measured_again = self.scene.with_triangulated(fine, self._everywhere())
+            self.scene = rescale_on_road(measured_again, fine, self.scale_sigma)
+            fine = self._believable(fine, 4.0)
         with self.stopwatch.stage("window"):
             if len(fine) < self.config.result.min_inliers:
                 return None
-            covariance = self._adjust(fine, Loss(0.5), self.config.road_tolerance_m, want_covariance=True)
+            on_road = road_landmarks(self.scene, fine, self.config.road_tolerance_m)
+            covariance = self._adjust(fine, on_road, Loss(0.5), self.config.graph, want_covariance=True)
         stamps_ns = [keyframe.stamp_ns for keyframe in self.keyframes]
         return conclude(self.scene, fine, covariance, stamps_ns, self.config.result)
 
     def _adjust(
         self,
         seen: Observations,
+        on_road: Mask,
         loss: Loss,
-        road_tolerance_m: float,
+        graph: GraphConfig,
         *,
         fixed_poses: bool = False,
         want_covariance: bool = False,
     ) -> Array:
-        on_road = road_landmarks(self.scene, seen, road_tolerance_m)
         adjusted = adjust(
-            self.scene, seen, on_road, self.belief, loss, self.config.graph,
+            self.scene, seen, on_road, self.belief, loss, graph,
             fixed_poses=fixed_poses, want_covariance=want_covariance,
         )  # fmt: skip
         self.scene = adjusted.scene
