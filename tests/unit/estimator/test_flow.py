@@ -51,6 +51,12 @@ def test_points_that_leave_the_image_are_lost() -> None:
     assert good.tolist() == [False, True]
 
 
+def test_points_too_near_the_border_to_compare_are_lost() -> None:
+    edge = np.array([[300.0, 100.0], [314.0, 100.0]])
+    _, good = follow(BEFORE, shifted(3.0, 0.0), edge, edge + np.array([3.0, 0.0]), CONFIG)
+    assert good.tolist() == [True, False]
+
+
 def test_no_points_is_no_error() -> None:
     moved, good = follow(BEFORE, BEFORE, np.zeros((0, 2)), np.zeros((0, 2)), CONFIG)
     assert moved.shape == (0, 2) and good.shape == (0,)

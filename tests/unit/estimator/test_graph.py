@@ -88,6 +88,19 @@ def test_a_firm_belief_outweighs_a_few_sightings() -> None:
     assert rotation_deg < 1e-3 and translation_mm < 0.1
 
 
+def test_what_one_camera_shows_moves_those_that_are_believed_to_move_with_it() -> None:
+    spread = np.random.default_rng(0).standard_normal((12, 12)) * 0.01
+    covariance = spread @ spread.T + 1e-6 * np.eye(12)
+    unseen = SEEN.select(SEEN.camera != 2)
+    start = shaken(TRUTH, 1.0, 30.0)
+    found = adjust(
+        replace(SCENE, rig=start), unseen, on_road(SCENE), Belief(start, covariance), Loss(10.0), CONFIG
+    ).scene.rig
+    moved = {n: start[n].ego_from_cam.local(found[n].ego_from_cam) for n in TRUTH.estimated_names}
+    wanted = covariance[6:, :6] @ np.linalg.solve(covariance[:6, :6], moved["left_front"])
+    np.testing.assert_allclose(moved["left_rear"], wanted, rtol=1e-3, atol=1e-6)
+
+
 def test_the_covariance_is_symmetric_and_positive() -> None:
     covariance = adjusted(TRUTH, want_covariance=True).covariance
     np.testing.assert_allclose(covariance, covariance.T, rtol=1e-6, atol=1e-16)

@@ -91,6 +91,20 @@ def test_another_street_in_the_picture_is_not_taken_for_this_one() -> None:
     assert len(found) <= 0.02 * len(FOUND)
 
 
+def test_of_two_places_that_look_alike_neither_is_taken() -> None:
+    keyframe, (u, v) = int(FOUND.keyframe[0]), FOUND.pixels[0].round().astype(int)
+    camera, landmark = int(FOUND.camera[0]), int(FOUND.landmark[0])
+    images = [list(row) for row in WINDOW.images]
+    twice = WINDOW.images[keyframe][camera].copy()
+    side = 24 if u < 160 else -24
+    twice[v - 11 : v + 12, u + side - 11 : u + side + 12] = twice[v - 11 : v + 12, u - 11 : u + 12]
+    images[keyframe][camera] = twice
+    for given, wanted in ((WINDOW.images, True), (images, False)):
+        found = handed_over(images=given, radius_px=28.0)
+        rows = (found.landmark == landmark) & (found.camera == camera) & (found.keyframe == keyframe)
+        assert rows.any() == wanted
+
+
 def test_missing_pictures_are_passed_over() -> None:
     images = [[*row[:LEFT_REAR], None] if index != 4 else row for index, row in enumerate(WINDOW.images)]
     found = handed_over(images=images)

@@ -73,6 +73,11 @@ def test_a_standing_car_does_not_start_it() -> None:
     assert not drive.odometry.metric
 
 
+def test_a_creep_of_two_centimetres_does_not_start_it() -> None:
+    drive = Drive(left_side_rig()["front"])
+    assert not drive.advance(arc(0.02, 2)[1])
+
+
 def test_a_turn_on_the_spot_of_the_camera_does_not_start_it() -> None:
     mount = left_side_rig()["front"].ego_from_cam
     turn = SE3.exp(np.array([0.0, 0.03, 0.0, 0.0, 0.0, 0.0]))

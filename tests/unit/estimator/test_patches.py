@@ -90,6 +90,16 @@ def test_a_plane_behind_the_camera_has_no_warp() -> None:
     assert np.isnan(plane_warp(known, view, view, behind, wall, np.array([[160.0, 100.0]]))).all()
 
 
+def test_a_plane_behind_the_target_has_no_warp_though_the_anchor_sees_it() -> None:
+    known = scene()
+    point, facing_ahead = np.array([[-4.0, 5.0, 1.2]]), np.array([[1.0, 0.0, 0.0]])
+    front = known.camera_pose(0, 0)
+    mirrored = 2 * front.translation - point
+    target_px = known.predict(at(0), at(0), mirrored)
+    assert np.isfinite(target_px).all() and np.isfinite(known.predict(at(2), at(0), point)).all()
+    assert np.isnan(plane_warp(known, (at(2), at(0)), (at(0), at(0)), point, facing_ahead, target_px)).all()
+
+
 def test_the_canyon_s_planes_are_right_angled() -> None:
     for plane in PLANES:
         np.testing.assert_allclose(np.linalg.norm(plane.normal), 1)

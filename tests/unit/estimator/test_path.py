@@ -23,6 +23,15 @@ def assert_same(pose: SE3, wanted: SE3) -> None:
     np.testing.assert_allclose(pose.matrix, wanted.matrix, atol=1e-12)
 
 
+def test_a_start_from_which_no_motion_was_found_is_forgotten() -> None:
+    path = Path()
+    path.begin(0, OLD[0])
+    path.begin(3, OLD[0])
+    path.append(4, OLD[1])
+    path.begin(9, OLD[1])
+    assert [stamp_ns for stamp_ns, _ in path.poses()] == [3, 4, 9]
+
+
 def test_keyframes_go_where_the_window_found_them() -> None:
     path = path_of(OLD)
     path.correct([2, 6], [SHIFT @ OLD[2], OLD[6]])

@@ -61,6 +61,14 @@ def test_landmarks_seen_from_one_place_stay_unknown() -> None:
     assert np.isnan(SCENE.with_triangulated(still, everything).points_world).all()
 
 
+def test_landmarks_seen_from_almost_one_place_stay_unknown() -> None:
+    creeping = known_scene(SCENE.rig, arc(0.005, 4))
+    seen = sightings(creeping)
+    of_front = seen.select(seen.camera == 0)
+    everything = np.ones(len(creeping.points_world), bool)
+    assert np.isnan(creeping.with_triangulated(of_front, everything).points_world).all()
+
+
 def test_a_camera_that_is_off_shows_in_its_own_residuals_alone() -> None:
     error_px = replace(SCENE, rig=shaken(SCENE.rig, 2.0, 0.0)).residuals_px(SEEN)
     assert np.nanmax(error_px[SEEN.camera == 0]) < 1e-6

@@ -120,7 +120,6 @@ def test_a_moved_world_takes_points_and_first_views_along() -> None:
 
 def test_a_scaled_world_keeps_the_camera_it_is_scaled_about() -> None:
     tracker = driven()
-    before = PINHOLE.project(CAMS[3].inverse().apply(tracker.points_world))
+    before = CAMS[3].inverse().apply(tracker.points_world)
     tracker.move_world(SE3(), 1.3, CAMS[3].translation)
-    after = PINHOLE.project(CAMS[3].inverse().apply(tracker.points_world))
-    np.testing.assert_allclose(after, before, atol=1e-8)
+    np.testing.assert_allclose(CAMS[3].inverse().apply(tracker.points_world), 1.3 * before, atol=1e-8)
