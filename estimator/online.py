@@ -13,6 +13,7 @@ from estimator.keyframe import Keyframe
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.se3 import SE3
+from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
 from estimator.window import WindowCalibration, WindowConfig
 from estimator.window_pace import PaceConfig, is_keyframe
@@ -26,9 +27,7 @@ class OnlineConfig(Config):
     window: WindowConfig = WindowConfig()
     pace: PaceConfig = PaceConfig()
     shared_scale_sigma: float = 0.005
-    converged_rotation_rad: float = 0.0017
-    converged_translation_m: float = 0.04
-    min_links: int = 30
+    status: StatusConfig = StatusConfig()
 
 
 class OnlineEstimator:
@@ -40,6 +39,7 @@ class OnlineEstimator:
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
         self.config = config or OnlineConfig()
         self.belief = Belief.nominal(rig)
+        self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
         self._keyframes: list[Keyframe] = []
         self._path = Path()
@@ -147,9 +147,5 @@ class OnlineEstimator:
             return Status.CONVERGED
         if self._newest is None:
             return Status.INITIALISING
-        sure = (
-            stated.rotation_sigma_rad(name) < self.config.converged_rotation_rad
-            and stated.translation_sigma_m(name) < self.config.converged_translation_m
-            and self._links[name] >= self.config.min_links
-        )
-        return Status.CONVERGED if sure else Status.WEAK
+        missed = self._front_end.trackers[name].missed_count
+        return judge(name, stated, self._nominal, self._links[name], missed, self.config.status)

@@ -42,6 +42,7 @@ class Tracker:
         self.camera = camera
         self.config = config
         self.image: Image | None = None
+        self.missed_count = 0
         self._next_id = 0
         self._allocate(0)
 
@@ -78,10 +79,12 @@ class Tracker:
             self.rays_cam = self.camera.unproject(self.pixels)
             self.keep(_ahead(self.rays_cam))
         self.image = image
+        self.missed_count = 0
 
     def miss(self) -> None:
         """Forget everything: the camera gave no image."""
         self.image = None
+        self.missed_count += 1
         self._allocate(0)
 
     def replenish(self, blocked: npt.NDArray[np.bool_] | None) -> None:

@@ -1,0 +1,50 @@
+"""Say how far each camera's estimate may be relied on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.belief import Belief
+from estimator.config import Config
+from estimator.estimate import Status
+from estimator.rig import Rig
+
+
+class StatusConfig(Config):
+    """What it takes to call a camera converged, or lost."""
+
+    rotation_rad: float = 0.0017
+    translation_m: float = 0.04
+    min_links: int = 30
+    prior_chi2: float = 27.9  # 0.9999 of a chi-square with six degrees of freedom
+    lost_after_bundles: int = 20
+
+
+def judge(
+    name: str, belief: Belief, nominal: Rig, links: int, missed_bundles: int, config: StatusConfig
+) -> Status:
+    """Return the status of an estimated camera once a window has been solved.
+
+    Converged means: stated sigma small, enough sightings shared with other cameras, and an answer that the
+    prior of the rig file does not rule out. One that it does rule out comes from wrong intrinsics or from a
+    rig file that belongs to another car, and is weak however small its sigma.
+
+    Args:
+        name: A camera other than the reference.
+        belief: What is believed, with all that is stated of its uncertainty.
+        nominal: The rig file.
+        links: Sightings so far that this camera shares with others.
+        missed_bundles: How many bundles in a row came without its image.
+        config: Thresholds.
+    """
+    if missed_bundles >= config.lost_after_bundles:
+        return Status.LOST
+    from_nominal = nominal[name].ego_from_cam.local(belief.rig[name].ego_from_cam)
+    surprise = float(from_nominal @ np.linalg.solve(nominal.prior.covariance, from_nominal))
+    sure = (
+        belief.rotation_sigma_rad(name) < config.rotation_rad
+        and belief.translation_sigma_m(name) < config.translation_m
+        and links >= config.min_links
+        and surprise < config.prior_chi2
+    )
+    return Status.CONVERGED if sure else Status.WEAK

@@ -1,0 +1,41 @@
+"""Status: sure only where sigma, links and prior all agree."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from estimator.belief import Belief
+from estimator.camera import Camera
+from estimator.estimate import Status
+from estimator.rig import MountedCamera, Rig
+from estimator.se3 import SE3
+from estimator.status import StatusConfig, judge
+
+CAMERA = Camera("pinhole", (640, 400), (320.0, 320.0), (319.5, 199.5))
+NOMINAL = Rig("front", {name: MountedCamera(CAMERA, SE3()) for name in ("front", "rear")})
+
+
+def status(
+    *, moved_m: float = 0.05, sigma: float = 1e-4, links: int = 500, missed_bundles: int = 0
+) -> Status:
+    moved = SE3(np.eye(3), np.array([moved_m, 0.0, 0.0]))
+    belief = Belief(NOMINAL.with_extrinsics({"rear": moved}), sigma**2 * np.eye(6))
+    return judge("rear", belief, NOMINAL, links, missed_bundles, StatusConfig())
+
+
+def test_a_sure_linked_camera_near_its_prior_has_converged() -> None:
+    assert status() == Status.CONVERGED
+
+
+@pytest.mark.parametrize("flaw", [{"sigma": 0.01}, {"links": 3}])
+def test_a_camera_without_enough_evidence_is_weak(flaw: dict[str, float]) -> None:
+    assert status(**flaw) == Status.WEAK  # type: ignore[arg-type]
+
+
+def test_an_answer_that_the_prior_rules_out_is_weak_however_small_its_sigma() -> None:
+    assert status(moved_m=0.9) == Status.WEAK
+
+
+def test_a_camera_without_images_is_lost() -> None:
+    assert status(missed_bundles=50) == Status.LOST
