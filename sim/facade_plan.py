@@ -84,7 +84,7 @@ def _draw_rhythm(width_m: float, rng: np.random.Generator) -> _Rhythm:
     return _Rhythm(
         float(rng.uniform(3.1, 3.7)),
         floor_m,
-        int(rng.choice([0, 1, 1, 1, 2, 2])),
+        int(rng.choice([0, 1, 1, 1, 1, 2])),
         bays,
         min(float(rng.uniform(0.9, 1.3)), bay * (0.42 if shutters else 0.62)),
         min(float(rng.uniform(1.3, 1.9)), floor_m - 1.0),

@@ -97,14 +97,15 @@ def _row(
         width = float(rng.uniform(5.5, 11.0)) / stretch
         left = high - edges[-1] - width
         edges.append(high if left < 5.0 / stretch else edges[-1] + width)
-    lots = []
+    lots: list[Lot] = []
     for k, (a, b) in enumerate(pairwise(edges)):
         inner = 0 < k < len(edges) - 2
         setback = float(rng.choice(SETBACKS_M)) if inner else 0.0
-        garden = inner and bool(rng.random() < GARDEN_SHARE)
-        lots.append(
-            _lot(path, side, a, b, front_m, setback, "garden" if garden else "house" if inner else "corner")
-        )
+        # Never two gardens in a row: a side camera would see nothing but fence and sky.
+        beside_garden = bool(lots) and lots[-1].use == "garden"
+        garden = inner and bool(rng.random() < GARDEN_SHARE) and not beside_garden
+        use = "garden" if garden else "house" if inner else "corner"
+        lots.append(_lot(path, side, a, b, front_m, setback, use))
     return lots
 
 

@@ -18,13 +18,13 @@ def write_sky(spec: mujoco.MjSpec, weather: WeatherConfig) -> None:
     """Add sun, fill light and skybox."""
     up = _direction(weather.sun_elevation_deg, weather.sun_azimuth_deg)
     spec.visual.headlight.active = 1
-    spec.visual.headlight.ambient = [0.43, 0.44, 0.46]
+    spec.visual.headlight.ambient = [0.41, 0.42, 0.44]
     spec.visual.headlight.diffuse = [0.0, 0.0, 0.0]
     spec.visual.headlight.specular = [0.0, 0.0, 0.0]
-    _add_light(spec, "sun", _SUN_DISTANCE_M * up, -up, (1.15, 1.10, 1.01), True)
+    _add_light(spec, "sun", _SUN_DISTANCE_M * up, -up, (1.22, 1.17, 1.07), True)
     _add_light(spec, "sky_above", (0, 0, 50), (0, 0, -1), (0.14, 0.15, 0.17), False)
     away = np.array([-up[0], -up[1], 0.35])
-    _add_light(spec, "sky_opposite", (0, 0, 50), -away / np.linalg.norm(away), (0.34, 0.35, 0.37), False)
+    _add_light(spec, "sky_opposite", (0, 0, 50), -away / np.linalg.norm(away), (0.31, 0.32, 0.34), False)
     faces = _sky_faces()
     texture = spec.add_texture(
         name="sky",
