@@ -24,7 +24,7 @@ _PLANE = gtsam.Cal3_S2(1.0, 1.0, 0.0, 0.0, 0.0)
 class GraphConfig(Config):
     """What is believed besides the images."""
 
-    road_sigma_m: float = 0.04
+    road_sigma_m: float = 0.02
     ride_height_sigma_m: float = 0.02
     ride_tilt_sigma_rad: float = 0.01
     iterations: int = 12
@@ -90,7 +90,7 @@ def add_landmarks(
     config: GraphConfig,
 ) -> None:
     road = gtsam.noiseModel.Robust.Create(
-        gtsam.noiseModel.mEstimator.Cauchy.Create(1.5),
+        gtsam.noiseModel.mEstimator.Cauchy.Create(1.0),
         gtsam.noiseModel.Diagonal.Sigmas(np.array([1e3, 1e3, config.road_sigma_m])),
     )
     centre = np.mean([p.translation for p in scene.world_from_egos], axis=0)

@@ -26,7 +26,7 @@ class OnlineConfig(Config):
     front_end: FrontEndConfig = FrontEndConfig()
     window: WindowConfig = WindowConfig()
     pace: PaceConfig = PaceConfig()
-    shared_scale_sigma: float = 0.005
+    shared_scale_sigma: float = 0.007
     status: StatusConfig = StatusConfig()
 
 

@@ -90,6 +90,6 @@ def _status(cameras: Mapping[str, Any]) -> Figure:
 def _converged(metrics: Mapping[str, Mapping[str, Any]]) -> Figure:
     time, distance = metrics["convergence.time_s"], metrics["convergence.distance_m"]
     if time["value"] is None:
-        return Figure("Found after", "never", f"all within {_LIMITS}, and staying")
+        return Figure("Found after", "not yet", f"all within {_LIMITS} and staying, before the final step")
     where = "" if distance["value"] is None else f", {distance['value']:.0f} m driven"
     return Figure("Found after", f"{time['value']:.1f} s", f"all within {_LIMITS}{where}")
