@@ -21,9 +21,7 @@ class DetectConfig(Config):
     bands: int = 6
 
 
-def detect_corners(
-    image: Image, occupied_px: Array, blocked: npt.NDArray[np.bool_] | None, room: int, config: DetectConfig
-) -> Array:
+def detect_corners(image: Image, occupied_px: Array, room: int, config: DetectConfig) -> Array:
     """Return the strongest corner of every grid cell that holds no point yet.
 
     If there are more than ``room``, horizontal bands of the image take turns, those with the fewest points
@@ -35,7 +33,6 @@ def detect_corners(
     Args:
         image: (H, W) grey.
         occupied_px: (N, 2) points that already exist.
-        blocked: (H // 2, W // 2) pixels to leave alone, or None.
         room: How many to return at most.
         config: Grid and threshold.
 
@@ -51,8 +48,6 @@ def detect_corners(
     cell = max(8, round(np.sqrt(half.size / config.cells)))
     strength[:border], strength[-border:] = 0, 0
     strength[:, :border], strength[:, -border:] = 0, 0
-    if blocked is not None:
-        strength[blocked] = 0
     rows, cols = strength.shape[0] // cell, strength.shape[1] // cell
     tiles = strength[: rows * cell, : cols * cell].reshape(rows, cell, cols, cell).transpose(0, 2, 1, 3)
     tiles = tiles.reshape(rows, cols, -1)

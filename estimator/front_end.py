@@ -98,7 +98,7 @@ class FrontEnd:
             if starting:
                 tracker.reanchor()
             if self.metric or starting:
-                tracker.replenish(None)
+                tracker.replenish()
                 tracker.anchor(world_from_cam)
         if starting:
             self._started_with = len(self.trackers[self.rig.reference].ids)

@@ -148,4 +148,5 @@ class OnlineEstimator:
         if self._newest is None:
             return Status.INITIALISING
         missed = self._front_end.trackers[name].missed_count
-        return judge(name, stated, self._nominal, self._links[name], missed, self.config.status)
+        newest = self._newest.inlier_count[name]
+        return judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)

@@ -6,7 +6,7 @@ import re
 from typing import Annotated
 
 import numpy as np
-from pydantic import AfterValidator, Field, Strict, ValidationInfo, field_validator
+from pydantic import AfterValidator, Field, Strict, ValidationInfo, field_validator, model_validator
 
 from estimator.camera import COEFFICIENT_COUNT, Camera, CameraModel
 from estimator.config import Config
@@ -39,6 +39,8 @@ PixelCount = Annotated[int, Strict(), Field(gt=0, le=100_000)]
 Name = Annotated[str, Strict(), AfterValidator(_check_name)]
 UnitQuaternion = Annotated[tuple[Number, Number, Number, Number], AfterValidator(_check_unit)]
 
+_LEAST_SIGHT = 0.5  # the corners of a fisheye image may be dark
+
 
 class PoseEntry(Config):
     """``ego_from_cam``: where a camera sits."""
@@ -66,11 +68,28 @@ class CameraEntry(Config):
             raise ValueError(f"got {len(distortion)} coefficients, wanted {wanted}")
         return distortion
 
+    @model_validator(mode="after")
+    def _check_sight(self) -> CameraEntry:
+        """Refuse a lens that turns back on itself within most of its own image."""
+        width, height = self.size_px
+        across, down = np.meshgrid(np.linspace(0, width - 1, 17), np.linspace(0, height - 1, 11))
+        rays = self.camera().unproject(np.column_stack([across.ravel(), down.ravel()]))
+        share = float(np.isfinite(rays).all(1).mean())
+        if share < _LEAST_SIGHT:
+            raise ValueError(
+                f"got intrinsics and distortion that give {share:.0%} of the image a viewing ray, "
+                f"wanted at least {_LEAST_SIGHT:.0%}"
+            )
+        return self
+
+    def camera(self) -> Camera:
+        return Camera(self.model, self.size_px, self.focal_px, self.center_px, self.distortion)
+
     def mounted(self) -> MountedCamera:
-        camera = Camera(self.model, self.size_px, self.focal_px, self.center_px, self.distortion)
         pose = self.ego_from_cam
         return MountedCamera(
-            camera, SE3.from_quaternion_xyzw(np.array(pose.quaternion_xyzw), np.array(pose.translation_m))
+            self.camera(),
+            SE3.from_quaternion_xyzw(np.array(pose.quaternion_xyzw), np.array(pose.translation_m)),
         )
 
 

@@ -18,10 +18,17 @@ class StatusConfig(Config):
     min_links: int = 30
     prior_chi2: float = 27.9  # 0.9999 of a chi-square with six degrees of freedom
     lost_after_bundles: int = 20
+    min_sightings: int = 20
 
 
 def judge(
-    name: str, belief: Belief, nominal: Rig, links: int, missed_bundles: int, config: StatusConfig
+    name: str,
+    belief: Belief,
+    nominal: Rig,
+    links: int,
+    newest_sightings: int,
+    missed_bundles: int,
+    config: StatusConfig,
 ) -> Status:
     """Return the status of an estimated camera once a window has been solved.
 
@@ -34,10 +41,11 @@ def judge(
         belief: What is believed, with all that is stated of its uncertainty.
         nominal: The rig file.
         links: Sightings so far that this camera shares with others.
+        newest_sightings: Sightings by this camera that the newest window believed.
         missed_bundles: How many bundles in a row came without its image.
         config: Thresholds.
     """
-    if missed_bundles >= config.lost_after_bundles:
+    if missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings:
         return Status.LOST
     from_nominal = nominal[name].ego_from_cam.local(belief.rig[name].ego_from_cam)
     surprise = float(from_nominal @ np.linalg.solve(nominal.prior.covariance, from_nominal))

@@ -87,12 +87,12 @@ class Tracker:
         self.missed_count += 1
         self._allocate(0)
 
-    def replenish(self, blocked: npt.NDArray[np.bool_] | None) -> None:
+    def replenish(self) -> None:
         """Start tracks where the image has corners and no track is."""
         room = self.config.max_points - len(self.ids)
         if self.image is None or room <= 0:
             return
-        pixels = detect_corners(self.image, self.pixels, blocked, room, self.config.detect)
+        pixels = detect_corners(self.image, self.pixels, room, self.config.detect)
         rays = self.camera.unproject(pixels)
         usable = _ahead(rays)
         pixels, rays = pixels[usable], rays[usable]

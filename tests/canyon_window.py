@@ -54,7 +54,7 @@ def look(rig: Rig, world_from_egos: tuple[SE3, ...], owners: tuple[str, ...], ro
             continue
         mounted, image = rig[name], images[middle][camera]
         assert image is not None
-        corners = detect_corners(image, np.zeros((0, 2)), None, room, DetectConfig())
+        corners = detect_corners(image, np.zeros((0, 2)), room, DetectConfig())
         found, hit = cast(world_from_egos[middle] @ mounted.ego_from_cam, mounted.camera.unproject(corners))
         known = np.isfinite(found[:, 0])
         points.append(found[known])

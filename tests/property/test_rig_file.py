@@ -30,11 +30,13 @@ numbers = st.floats(-1e4, 1e4)
 def mounted_cameras(draw: st.DrawFn) -> MountedCamera:
     model: CameraModel = draw(st.sampled_from(list(COEFFICIENT_COUNT)))
     size = (draw(st.integers(1, 9000)), draw(st.integers(1, 9000)))
-    focal = (draw(st.floats(1e-3, 1e5)), draw(st.floats(1e-3, 1e5)))
-    center = (draw(numbers), draw(numbers))
-    distortion = tuple(draw(st.floats(-1, 1)) for _ in range(COEFFICIENT_COUNT[model]))
+    # A lens that sees its own image: the reader refuses those that turn back within most of it.
+    focal = tuple(max(size) * draw(st.floats(0.8, 30)) for _ in size)
+    center = tuple(side * draw(st.floats(0.3, 0.7)) for side in size)
+    distortion = tuple(draw(st.floats(-0.05, 0.05)) for _ in range(COEFFICIENT_COUNT[model]))
     tangent = np.array([draw(st.floats(-3, 3)) for _ in range(6)])
-    return MountedCamera(Camera(model, size, focal, center, distortion), SE3.exp(tangent))
+    camera = Camera(model, size, (focal[0], focal[1]), (center[0], center[1]), distortion)
+    return MountedCamera(camera, SE3.exp(tangent))
 
 
 @st.composite

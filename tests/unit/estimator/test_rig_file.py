@@ -141,6 +141,11 @@ BAD = [
         "prior: 3",
         "prior: got 3, wanted keys with values",
     ),
+    (
+        "distortion: [-0.31",
+        "distortion: [-5.0",
+        "of the image a viewing ray, wanted at least 50%",
+    ),
     ("[640, 400]", "[640, 400", "not valid YAML"),
     ("cameras:", "\tcameras:", "not valid YAML"),
     (TEXT, "", "got NoneType, wanted a rig"),

@@ -17,11 +17,16 @@ NOMINAL = Rig("front", {name: MountedCamera(CAMERA, SE3()) for name in ("front",
 
 
 def status(
-    *, moved_m: float = 0.05, sigma: float = 1e-4, links: int = 500, missed_bundles: int = 0
+    *,
+    moved_m: float = 0.05,
+    sigma: float = 1e-4,
+    links: int = 500,
+    missed_bundles: int = 0,
+    newest: int = 500,
 ) -> Status:
     moved = SE3(np.eye(3), np.array([moved_m, 0.0, 0.0]))
     belief = Belief(NOMINAL.with_extrinsics({"rear": moved}), sigma**2 * np.eye(6))
-    return judge("rear", belief, NOMINAL, links, missed_bundles, StatusConfig())
+    return judge("rear", belief, NOMINAL, links, newest, missed_bundles, StatusConfig())
 
 
 def test_a_sure_linked_camera_near_its_prior_has_converged() -> None:
@@ -37,5 +42,6 @@ def test_an_answer_that_the_prior_rules_out_is_weak_however_small_its_sigma() ->
     assert status(moved_m=0.9) == Status.WEAK
 
 
-def test_a_camera_without_images_is_lost() -> None:
-    assert status(missed_bundles=50) == Status.LOST
+@pytest.mark.parametrize("flaw", [{"missed_bundles": 50}, {"newest": 3}])
+def test_a_camera_without_images_or_in_which_nothing_is_recognised_is_lost(flaw: dict[str, int]) -> None:
+    assert status(**flaw) == Status.LOST  # type: ignore[arg-type]

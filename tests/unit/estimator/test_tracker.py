@@ -18,7 +18,7 @@ ELSEWHERE = SE3.exp(np.array([0.1, 0.0, 0.3, 5.0, -2.0, 0.4]))
 def started() -> Tracker:
     tracker = Tracker(PINHOLE, TrackerConfig())
     tracker.advance(IMAGES[0], np.zeros((0, 2)))
-    tracker.replenish(None)
+    tracker.replenish()
     tracker.anchor(CAMS[0])
     return tracker
 
@@ -34,7 +34,7 @@ def driven() -> Tracker:
 def test_it_fills_up_to_its_places_and_no_further() -> None:
     tracker = started()
     assert len(tracker.ids) == TrackerConfig().max_points
-    tracker.replenish(None)
+    tracker.replenish()
     assert len(tracker.ids) == TrackerConfig().max_points
 
 
@@ -42,7 +42,7 @@ def test_an_id_is_given_once() -> None:
     tracker = started()
     old = tracker.ids
     tracker.keep(old % 2 == 0)
-    tracker.replenish(None)
+    tracker.replenish()
     assert len(np.unique(tracker.ids)) == len(tracker.ids) > len(old) // 2
     assert tracker.ids[len(old) // 2 :].min() > old.max()
 
@@ -84,7 +84,7 @@ def test_a_missing_image_forgets_everything() -> None:
     tracker.miss()
     assert len(tracker.ids) == 0 and tracker.image is None
     tracker.advance(IMAGES[3], np.zeros((0, 2)))
-    tracker.replenish(None)
+    tracker.replenish()
     assert len(tracker.ids) > 100
 
 
