@@ -1,13 +1,14 @@
-"""One number for everything that changes a recording: world, rig, seed and the version of the simulator."""
+"""One number for everything that changes a recording: world, rig, seed and the code that makes it."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+from functools import cache
 
 from estimator.rig_file import rig_to_yaml
 from scenarios.scenario import Scenario
-from sim.world import WORLD_VERSION
+from scenarios.source_digest import source_digest
 
 
 def recording_digest(scenario: Scenario, seed: int) -> str:
@@ -15,8 +16,14 @@ def recording_digest(scenario: Scenario, seed: int) -> str:
     content = {
         "rig": rig_to_yaml(scenario.rig),
         "seed": seed,
+        "source": _source(),
         "world": scenario.world.model_dump(mode="json"),
-        "world_version": WORLD_VERSION,
     }
     text = json.dumps(content, sort_keys=True, allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
+
+
+@cache
+def _source() -> str:
+    """Hash the sources once: they are what this process runs, whatever becomes of the files later."""
+    return source_digest()

@@ -17,7 +17,6 @@ from sim.sensor import SensorConfig
 from sim.street import StreetConfig
 from sim.weather import WeatherConfig
 
-WORLD_VERSION = 1  # raise it when the same settings and seed give other images or another truth
 STREET_MARGIN_M = 5.0  # of lane beyond the drive's end
 
 

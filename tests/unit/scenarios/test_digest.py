@@ -1,11 +1,15 @@
 """The digest of a recording: what changes it, and what must not."""
 
+import re
+import shutil
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from scenarios.digest import recording_digest
 from scenarios.load import load_scenario
+from scenarios.source_digest import HOUSE, VOCABULARY, source_digest
 
 
 def test_name_and_about_leave_the_digest_alone() -> None:
@@ -50,8 +54,50 @@ def test_the_rig_changes_the_digest() -> None:
     assert recording_digest(smaller, 0) != recording_digest(scenario, 0)
 
 
-def test_the_version_of_the_world_changes_the_digest(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def house(tmp_path: Path) -> Path:
+    """A copy of the sources that may be changed."""
+    for room in ("sim", "estimator"):
+        shutil.copytree(HOUSE / room, tmp_path / room, ignore=shutil.ignore_patterns("__pycache__"))
+    return tmp_path
+
+
+def test_the_code_that_makes_a_recording_changes_its_digest(monkeypatch: pytest.MonkeyPatch) -> None:
     scenario = load_scenario("first_drive")
     before = recording_digest(scenario, 0)
-    monkeypatch.setattr("scenarios.digest.WORLD_VERSION", -1)
+    monkeypatch.setattr("scenarios.digest._source", lambda: "other")
     assert recording_digest(scenario, 0) != before
+
+
+@pytest.mark.parametrize(
+    "name", ["sim/sky.py", "sim/render.py", "estimator/distortion.py", "estimator/se3.py"]
+)
+def test_a_change_to_the_simulator_or_its_vocabulary_changes_the_source_digest(
+    house: Path, name: str
+) -> None:
+    assert source_digest(house) == source_digest()
+    with (house / name).open("a") as file:
+        file.write("CHANGED = True\n")
+    assert source_digest(house) != source_digest()
+
+
+def test_a_new_file_of_the_simulator_changes_the_source_digest(house: Path) -> None:
+    (house / "sim" / "snow.py").touch()
+    assert source_digest(house) != source_digest()
+
+
+@pytest.mark.parametrize("name", ["online", "window", "tracker"])
+def test_a_change_to_the_estimator_renders_nothing_again(house: Path, name: str) -> None:
+    with (house / "estimator" / f"{name}.py").open("a") as file:
+        file.write("CHANGED = True\n")
+    assert source_digest(house) == source_digest()
+
+
+def test_the_vocabulary_is_all_that_the_simulator_imports_of_the_estimator() -> None:
+    todo, found = [*(HOUSE / "sim").rglob("*.py")], set()
+    while todo:
+        for name in re.findall(r"^\s*(?:from|import) estimator\.(\w+)", todo.pop().read_text(), re.MULTILINE):
+            if name not in found:
+                found.add(name)
+                todo.append(HOUSE / "estimator" / f"{name}.py")
+    assert {f"estimator/{name}.py" for name in found} == set(VOCABULARY)
