@@ -36,11 +36,6 @@ class Follower:
         goal_ego = world_from_ego.rotation[:2, :2].T @ (goal_world - world_from_ego.translation[:2])
         return float(np.arctan(2 * self._wheelbase_m * goal_ego[1] / (goal_ego @ goal_ego)))
 
-    def lateral_error_m(self, position_m: Array) -> float:
-        """Return how far a world point (x, y) lies beside the path, near the present progress."""
-        near = self._near()
-        return float(np.min(_distance_to_segments(self._path_m[near], position_m)[0]))
-
     def _advance(self, position_m: Array) -> None:
         near = self._near()
         distance_m, along = _distance_to_segments(self._path_m[near], position_m)
