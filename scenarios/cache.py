@@ -60,6 +60,10 @@ class RecordingCache:
             os.utime(entry)
             yield entry / _BAG
 
+    def holds(self, digest: str) -> bool:
+        """Tell whether a recording is there; whether it is whole is seen when it is used."""
+        return (self.folder / digest).is_dir()
+
     def used_bytes(self) -> int:
         """Return the size of all recordings."""
         return sum(_size_bytes(path) for path in self._entries())
@@ -91,7 +95,12 @@ class RecordingCache:
             shutil.rmtree(partial, ignore_errors=True)
 
     def _evict(self, keep: str) -> None:
-        """Delete least recently used recordings until the rest fits; those in use stay."""
+        """Delete least recently used recordings until the rest fits; those in use stay.
+
+        What processes that were killed while rendering left behind goes first: it is in nobody's size.
+        """
+        for leftover in self.folder.glob("*.partial"):
+            _remove_unused(leftover)
         sizes = {path: _size_bytes(path) for path in self._entries()}
         total = sum(sizes.values())
         for entry in sorted(sizes, key=lambda path: path.stat().st_mtime):
@@ -102,7 +111,7 @@ class RecordingCache:
 
 
 def _remove_unused(entry: Path) -> bool:
-    """Delete a recording unless somebody holds its lock; tell whether it went."""
+    """Delete a recording, whole or partial, unless somebody holds its lock; tell whether it went."""
     with entry.with_suffix(".lock").open("a") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

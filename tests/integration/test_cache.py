@@ -3,6 +3,7 @@
 import multiprocessing
 import os
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -24,7 +25,7 @@ class Renderer:
         (bag / "bag.mcap").write_bytes(b"x" * self.size_bytes)
 
 
-def use(cache: RecordingCache, digest: str, renderer: Renderer) -> bytes:
+def use(cache: RecordingCache, digest: str, renderer: Callable[[Path], None]) -> bytes:
     with cache.recording(digest, renderer) as bag:
         return (bag / "bag.mcap").read_bytes()
 
@@ -68,6 +69,18 @@ def test_a_recording_in_use_is_not_evicted(tmp_path: Path) -> None:
     with cache.recording("aa", Renderer()) as bag:
         use(cache, "bb", Renderer())
         assert (bag / "bag.mcap").is_file()
+
+
+def test_what_a_killed_rendering_left_goes_and_one_under_way_stays(tmp_path: Path) -> None:
+    cache = RecordingCache(tmp_path, 10**6)
+    Renderer()(tmp_path / "killed.partial")
+
+    def render(bag: Path) -> None:
+        use(cache, "bb", Renderer())
+        Renderer()(bag)
+
+    assert use(cache, "aa", render) == b"x" * 100
+    assert sorted(path.name for path in tmp_path.iterdir() if path.is_dir()) == ["aa", "bb"]
 
 
 def test_two_processes_render_once(tmp_path: Path) -> None:
