@@ -1,7 +1,7 @@
 """Messages of a ROS 2 bag by topic, whole or broken off, without a meaning given to any topic.
 
-Whole files are read by rosbags; a file that was never finished is read up to its break by
-``estimator.bag_recovery``. Who wants images asks ``estimator.recording``.
+Whole files are read by rosbags; a file that was never finished, or has lost a piece, is read up to its break
+by ``estimator.bag_recovery``. Who wants images asks ``estimator.recording``.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
 
-from estimator.bag_files import explain_unreadable, is_broken_off, storage_files
+from estimator.bag_files import begins_as_mcap, ends_as_mcap, explain_unreadable, storage_files
 from estimator.bag_message import BagMessage, MessageSource
 from estimator.bag_recovery import BrokenSource
 from estimator.bag_rosbags import IntactSource
@@ -83,7 +83,11 @@ class Bag:
         try:
             return self._stack.enter_context(IntactSource(file))
         except InputError as error:
-            if not is_broken_off(file):
-                self._stack.close()
-                raise InputError(f"{file}: {explain_unreadable(file, str(error))}") from None
-            return BrokenSource(file)
+            if begins_as_mcap(file):
+                if not ends_as_mcap(file):
+                    return BrokenSource(file, "truncated")
+                broken = BrokenSource(file, f"damaged: {error}")
+                if broken.message_counts:  # else it is whole, but no bag
+                    return broken
+            self._stack.close()
+            raise InputError(f"{file}: {explain_unreadable(file, str(error))}") from None

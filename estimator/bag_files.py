@@ -31,15 +31,19 @@ def storage_files(path: Path) -> list[Path]:
     return sorted(files, key=lambda each: [int(part) for part in re.findall(r"\d+", each.stem)])
 
 
-def is_broken_off(file: Path) -> bool:
-    """Tell whether a file begins as MCAP does but has no end."""
+def begins_as_mcap(file: Path) -> bool:
+    """Tell whether a file's first bytes are those of MCAP."""
     with file.open("rb") as stream:
-        begins = stream.read(len(_MCAP_MAGIC)) == _MCAP_MAGIC
-        stream.seek(0, 2)
-        if stream.tell() < 2 * len(_MCAP_MAGIC):
-            return begins
+        return stream.read(len(_MCAP_MAGIC)) == _MCAP_MAGIC
+
+
+def ends_as_mcap(file: Path) -> bool:
+    """Tell whether a file's last bytes are those of MCAP, and are not its first."""
+    with file.open("rb") as stream:
+        if stream.seek(0, 2) < 2 * len(_MCAP_MAGIC):
+            return False
         stream.seek(-len(_MCAP_MAGIC), 2)
-        return begins and stream.read() != _MCAP_MAGIC
+        return stream.read() == _MCAP_MAGIC
 
 
 def explain_unreadable(file: Path, reason: str) -> str:

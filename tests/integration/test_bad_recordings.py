@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from mcap.writer import Writer as McapWriter
+from rosbags.rosbag2 import CompressionMode
 
 from estimator.errors import InputError
 from estimator.recording import Recording
@@ -166,3 +168,35 @@ def test_a_bag_with_a_damaged_chunk_is_used_up_to_it(tmp_path: Path, long_bag: P
     assert 10 <= len(bundles) <= 30
     assert len(recording.warnings) == 1
     assert "damaged" in recording.warnings[0] and f"used {len(bundles)} bundles" in recording.warnings[0]
+
+
+@pytest.mark.parametrize("compression", [CompressionMode.STORAGE, CompressionMode.NONE])
+@pytest.mark.parametrize("keep_metadata", [False, True])
+@pytest.mark.parametrize("hole_bytes", [1, 5000, 300_000])
+def test_a_bag_with_a_hole_and_an_intact_end_is_used_up_to_the_hole(
+    tmp_path: Path, hole_bytes: int, keep_metadata: bool, compression: CompressionMode
+) -> None:
+    entries = raw_entries(frames_of(WIDE_RIG, count=40))
+    whole = write_bag(tmp_path / "whole", entries, compression=compression)
+    broken = cut(whole, tmp_path / "hole", 1.0, keep_metadata=keep_metadata)
+    file = next(broken.glob("*.mcap"))
+    data = file.read_bytes()
+    file.write_bytes(data[: len(data) // 3] + data[len(data) // 3 + hole_bytes :])
+    with Recording(whole, WIDE_RIG) as recording:
+        expected = list(recording.bundles())
+    with Recording(broken, WIDE_RIG) as recording:
+        bundles = list(recording.bundles())
+    assert 5 <= len(bundles) <= 14
+    assert len(recording.warnings) == 1
+    assert "damaged" in recording.warnings[0] and f"used {len(bundles)} bundles" in recording.warnings[0]
+    for before, after in zip(expected, bundles, strict=False):
+        for name, image in after.images.items():
+            np.testing.assert_array_equal(image, before.images[name])
+
+
+def test_a_whole_mcap_file_that_is_no_bag(tmp_path: Path) -> None:
+    with (tmp_path / "other.mcap").open("wb") as stream:
+        writer = McapWriter(stream)
+        writer.start("some profile", "some library")
+        writer.finish()
+    assert "no ROS 2 bag" in refusal(tmp_path / "other.mcap")
