@@ -14,7 +14,9 @@ from eval.out_folder import make_folder
 from eval.sweep_job import SweepJob, plan_job
 from eval.sweep_pool import run_jobs
 from eval.sweep_results import collect_rows, write_parquet
+from scenarios.cache import RecordingCache
 from scenarios.sweep import Sweep, load_sweep
+from sim.gl import require_gl
 
 SWEEPS = Path("reports/sweeps")
 _PLAN = "sweep.yaml"
@@ -33,19 +35,28 @@ def sweep(reference: str, workers: int, out: Path | None, console: Console) -> S
     """Run a sweep; runs that an earlier call finished are kept.
 
     Raises:
-        InputError: The sweep, a scenario or an estimator of it is wrong, or the folder is not one of a sweep.
+        InputError: The sweep, a scenario or an estimator of it is wrong, the folder is not one of a sweep, or
+            something must be rendered and this machine cannot.
     """
     plan = load_sweep(reference)
     folder = out or SWEEPS / plan.name
     jobs = [plan_job(planned, folder) for planned in plan.runs]
-    _open_folder(folder, plan)
     waiting = [job for job in jobs if not job.is_finished()]
+    _require_gl_for(waiting)
+    _open_folder(folder, plan)
     if len(waiting) < len(jobs):
         console.say(f"{len(jobs) - len(waiting)} of {len(jobs)} runs are there already")
     failures = _run_waiting(waiting, workers, console)
     rows = collect_rows(jobs, failures)
     write_parquet(rows, folder / "results.parquet")
     return SweepResult(folder, rows, len(failures))
+
+
+def _require_gl_for(jobs: list[SweepJob]) -> None:
+    """Refuse once, instead of in every run, what this machine cannot render."""
+    cache = RecordingCache.of_user()
+    if not all(cache.holds(job.digest) for job in jobs):
+        require_gl()
 
 
 def _run_waiting(jobs: list[SweepJob], workers: int, console: Console) -> dict[SweepJob, str]:
