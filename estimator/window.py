@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from estimator.align import AlignConfig, align
-from estimator.anchors import choose_anchors
+from estimator.anchors import Anchors, choose_anchors
 from estimator.belief import Belief
 from estimator.bundle import Image
 from estimator.config import Config
@@ -34,7 +34,7 @@ class WindowConfig(Config):
     """Noise, limits and search ranges of a window's calibration."""
 
     track_sigma_px: float = 0.5
-    anchored_sigma_px: float = 0.65
+    anchored_sigma_px: float = 0.55
     unsure_rad: float = 0.006
     wide_search_rad: float = 0.04
     narrow_search_rad: float = 0.008
@@ -119,11 +119,15 @@ class WindowCalibration:
                     self.tracks, np.isnan(self.scene.points_world[:, 0])
                 )
 
+    def _anchors(self, seen: Observations) -> Anchors:
+        on_road = road_landmarks(self.scene, seen, 2 * self.config.road_tolerance_m)
+        return choose_anchors(self.scene, seen, self.images, on_road)
+
     def _hand_over(self, radius_rad: float) -> Observations:
         """Return the tracks and what other cameras saw of their landmarks."""
         with self.stopwatch.stage("match"):
             seen = self._believable(self.tracks, 5.0)
-            anchors = choose_anchors(self.scene, seen, self.images)
+            anchors = self._anchors(seen)
             focal_px = np.array([np.mean(m.camera.focal_px) for m in self.scene.rig.cameras.values()])
             radius_px = np.broadcast_to(
                 np.maximum(3.0, radius_rad * focal_px), (len(focal_px), len(focal_px))
@@ -144,7 +148,7 @@ class WindowCalibration:
         """Measure every sighting again against its landmark's anchor patch, and adjust once more."""
         with self.stopwatch.stage("refine"):
             linked = self._believable(linked, 4.0)
-            anchors = choose_anchors(self.scene, linked, self.images)
+            anchors = self._anchors(linked)
             predicted = self.scene.predict(
                 linked.camera, linked.keyframe, self.scene.points_world[linked.landmark]
             )

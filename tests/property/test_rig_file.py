@@ -23,7 +23,6 @@ from estimator.se3 import SE3
 names = st.text("abcdefghijklmnopqrstuvwxyz_0123456789-é", min_size=1, max_size=12).filter(
     lambda name: name not in {"worst", "median"}
 )
-numbers = st.floats(-1e4, 1e4)
 
 
 @st.composite

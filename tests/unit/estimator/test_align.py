@@ -15,7 +15,8 @@ from tests.mounts import arc, left_side_rig
 
 CONFIG = AlignConfig()
 WINDOW = look(left_side_rig(), arc(0.6, 3), ("front", "left_front"), 80)
-ANCHORS = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images)
+NOT_ROAD = np.zeros(len(WINDOW.normals_world), bool)
+ANCHORS = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images, NOT_ROAD)
 SEEN = WINDOW.observations.select(WINDOW.observations.keyframe != 1)
 
 

@@ -11,7 +11,8 @@ from tests.canyon_window import look
 from tests.mounts import arc, left_side_rig
 
 WINDOW = look(left_side_rig(), arc(0.8, 3), ("front", "left_front"), 100)
-ANCHORS = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images)
+NOT_ROAD = np.zeros(len(WINDOW.normals_world), bool)
+ANCHORS = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images, NOT_ROAD)
 SEEN_TWICE = np.bincount(WINDOW.observations.landmark, minlength=len(WINDOW.normals_world)) >= 3
 
 
@@ -53,7 +54,18 @@ def test_normals_are_of_unit_length_and_face_the_camera() -> None:
 def test_landmarks_without_a_point_or_of_another_camera_s_finding_get_none() -> None:
     points = WINDOW.scene.points_world.copy()
     points[::2] = np.nan
-    unknown = choose_anchors(replace(WINDOW.scene, points_world=points), WINDOW.observations, WINDOW.images)
+    unknown = choose_anchors(
+        replace(WINDOW.scene, points_world=points), WINDOW.observations, WINDOW.images, NOT_ROAD
+    )
     assert not unknown.valid[::2].any() and unknown.valid[1::2].any()
     found = replace(WINDOW.observations, handed_over=np.ones(len(WINDOW.observations), bool))
-    assert not choose_anchors(WINDOW.scene, found, WINDOW.images).valid.any()
+    assert not choose_anchors(WINDOW.scene, found, WINDOW.images, NOT_ROAD).valid.any()
+
+
+def test_what_is_known_to_be_road_gets_the_road_s_normal_whatever_it_looks_like() -> None:
+    seen = WINDOW.scene.points_world[:, 2] < 1e-6
+    known = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images, seen)
+    road = np.flatnonzero(known.valid & seen & np.isfinite(known.normals_world).all(1))
+    assert len(road) > 15 and np.mean(known.normals_world[road, 2] > 0.99) > 0.95  # the rest is seen edge-on
+    facade = np.flatnonzero(ANCHORS.valid & ~seen)
+    np.testing.assert_array_equal(known.normals_world[facade], ANCHORS.normals_world[facade])

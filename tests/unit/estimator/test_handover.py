@@ -17,6 +17,7 @@ from tests.mounts import arc, left_side_rig, shaken
 
 CONFIG = HandoverConfig()
 WINDOW = look(left_side_rig(), arc(1.2, 5), ("front", "left_front"), 100)
+NOT_ROAD = np.zeros(len(WINDOW.normals_world), bool)
 FRONT, LEFT_FRONT, LEFT_REAR = range(3)
 
 
@@ -26,7 +27,7 @@ def handed_over(
     radius_px: float = 4.0,
     config: HandoverConfig = CONFIG,
 ) -> Observations:
-    anchors = choose_anchors(scene, WINDOW.observations, WINDOW.images)
+    anchors = choose_anchors(scene, WINDOW.observations, WINDOW.images, NOT_ROAD)
     return hand_over(scene, images, WINDOW.observations, anchors, np.full((3, 3), radius_px), config)
 
 
@@ -85,7 +86,7 @@ def test_another_street_in_the_picture_is_not_taken_for_this_one() -> None:
         [row[FRONT], noise_image(200, 320, 50 + index), noise_image(200, 320, 90 + index)]
         for index, row in enumerate(WINDOW.images)
     ]
-    anchors = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images)
+    anchors = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images, NOT_ROAD)
     anchors.valid[anchors.camera != FRONT] = False
     found = hand_over(WINDOW.scene, images, WINDOW.observations, anchors, np.full((3, 3), 4.0), CONFIG)
     assert len(found) <= 0.02 * len(FOUND)
