@@ -13,8 +13,8 @@ def report_command(
 ) -> None:
     """Build report.html of a run folder again from what the folder holds."""
     from estimator.errors import InputError
-    from eval.report import write_report
+    from eval.report import rewrite_report
 
     if not (folder / "scores.json").is_file():
         raise InputError(f"{folder}: is no run folder, wanted one that holds scores.json")
-    print(f"report: {write_report(folder)}")
+    print(f"report: {rewrite_report(folder)}")

@@ -21,6 +21,7 @@ from eval.report_tables import metric_groups, stage_rows
 from eval.verdict import verdict
 
 REPORT = "report.html"
+_OF_FOREIGN_FILES = (LookupError, TypeError, ValueError, ArithmeticError, AttributeError)
 
 
 def write_report(folder: Path) -> Path:
@@ -36,6 +37,21 @@ def write_report(folder: Path) -> Path:
     except OSError as error:
         raise InputError(f"cannot write {path}: {error.strerror}") from error
     return path
+
+
+def rewrite_report(folder: Path) -> Path:
+    """Write the report of a folder that may have been written by anybody.
+
+    Raises:
+        InputError: The folder is not that of a run, or its files are not those that a run writes.
+    """
+    try:
+        return write_report(folder)
+    except (*_OF_FOREIGN_FILES, jinja2.TemplateError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        raise InputError(
+            f"{folder}: scores.json and report_data.json are not as a run writes them ({reason})"
+        ) from None
 
 
 def render(scores: Mapping[str, Any], data: Mapping[str, Any]) -> str:

@@ -64,6 +64,17 @@ def test_a_wrong_request_is_one_line(
     assert sorted(path.name for path in tmp_path.rglob("*")) == ["file", "full", "precious"]
 
 
+def test_a_run_folder_with_foreign_data_is_one_line(
+    command: Command, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("scores.json", "report_data.json"):
+        (tmp_path / name).write_text("{}")
+    assert command("report", ".") == 2
+    out, err = capsys.readouterr()
+    assert out == "" and "are not as a run writes them (KeyError: " in err and err.count("\n") == 1
+    assert not (tmp_path / "report.html").exists()
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
