@@ -19,6 +19,7 @@ class RunHeader:
         provenance: Commit, versions, renderer, CPU and so on; JSON values.
         about: One sentence on what the scenario tests.
         warnings: What the reader of the recording complained of.
+        settings: What was set on top of the scenario's file, by dotted path; JSON values.
     """
 
     scenario: str
@@ -28,3 +29,4 @@ class RunHeader:
     provenance: Mapping[str, Any] = field(default_factory=dict)
     about: str = ""
     warnings: tuple[str, ...] = ()
+    settings: Mapping[str, Any] = field(default_factory=dict)

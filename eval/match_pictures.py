@@ -5,6 +5,7 @@ Matches may join two instants, so small images of the last bundles are held, bou
 
 from __future__ import annotations
 
+import math
 from collections import Counter, OrderedDict, defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -45,10 +46,12 @@ class MatchPictureKeeper:
             self._recent_bytes -= _byte_count(oldest)
 
     def offer(self, matches: Sequence[Match]) -> None:
-        """Take the matches of one update; those within a camera, or of one the rig lacks, are no links."""
+        """Take the matches of one update; within a camera, without one in the rig, or nowhere is no link."""
         groups: dict[tuple[Pair, tuple[int, int]], list[Match]] = defaultdict(list)
         for match in matches:
             if match.camera_a == match.camera_b or not {match.camera_a, match.camera_b} <= self._rank.keys():
+                continue
+            if not all(map(math.isfinite, (*match.pixel_a, *match.pixel_b))):
                 continue
             ordered = self._ordered(match)
             pair = ordered.camera_a, ordered.camera_b

@@ -71,11 +71,14 @@ def stage_series(log: RunLog) -> dict[str, Any]:
 
 
 def _stage(name: str, log: RunLog, bins: list[Any]) -> Mapping[str, Any]:
-    seconds = np.array([entry.stage_s.get(name, 0.0) for entry in log.entries])
+    told_s = [
+        stage_s.get(name, 0.0) for stage_s in (*(each.stage_s for each in log.entries), log.final.stage_s)
+    ]
+    seconds = np.nan_to_num(np.array(told_s), posinf=0.0, neginf=0.0)  # what is no number is no time
     return {
         "ms": [1000 * float(seconds[part].mean()) for part in bins],
-        "updates_s": float(seconds.sum()),
-        "close_s": float(log.final.stage_s.get(name, 0.0)),
+        "updates_s": float(seconds[:-1].sum()),
+        "close_s": float(seconds[-1]),
     }
 
 

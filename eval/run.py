@@ -14,6 +14,7 @@ from eval.out_folder import RUNS, replacing_run_folder
 from eval.provenance import provenance
 from scenarios.digest import recording_digest
 from scenarios.load import load_scenario
+from scenarios.overrides import settings_by_path
 from scenarios.recordings import cached_recording
 
 
@@ -51,6 +52,7 @@ def run(request: RunRequest, console: Console) -> RunResult:
                 request.estimator,
                 provenance(make_estimator, bag),
                 scenario.about,
+                settings=settings_by_path(request.settings),
             )
             result = judge_recording(bag, scenario.rig, make_estimator, header, folder, console)
     return replace(result, folder=out)

@@ -6,7 +6,6 @@ Files: ``scores.json``, ``extrinsics.csv``, ``rig.yaml``, ``trajectory.tum``, ``
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -17,6 +16,7 @@ from estimator.rig import Rig
 from estimator.rig_file import rig_to_yaml
 from eval.collect import RunLog
 from eval.header import RunHeader
+from eval.json_text import json_text
 from eval.metric import Metric
 from eval.out_folder import creating
 from eval.paths import estimated_path, true_path
@@ -66,6 +66,7 @@ def scores_json(metrics: Mapping[str, Metric], header: RunHeader) -> dict[str, A
         "digest": header.digest,
         "seed": header.seed,
         "estimator": header.estimator,
+        "settings": dict(header.settings),
         "provenance": dict(header.provenance),
         "metrics": {key: metric.to_json() for key, metric in metrics.items()},
     }
@@ -79,12 +80,12 @@ def _texts(
     truth: TruthTrack | None,
 ) -> dict[str, str]:
     texts = {
-        "scores.json": json.dumps(scores_json(metrics, header), indent=2, allow_nan=False) + "\n",
+        "scores.json": json_text(scores_json(metrics, header), indent=2),
         "extrinsics.csv": extrinsics_csv(log),
         "rig.yaml": rig_to_yaml(final_rig(log, rig_nominal)),
         "trajectory.tum": tum(estimated_path(log)),
         "events.jsonl": events_jsonl(log, header.warnings),
-        "report_data.json": json.dumps(report_data(log, header, truth), allow_nan=False) + "\n",
+        "report_data.json": json_text(report_data(log, header, truth)),
     }
     path = true_path(truth)
     return texts if path is None else texts | {"truth.tum": tum(path)}

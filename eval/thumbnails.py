@@ -55,9 +55,9 @@ class TailHistory:
         self._steps: deque[Mapping[str, Array]] = deque(maxlen=length)
 
     def add(self, tracks_px: Mapping[str, Array]) -> None:
-        self._steps.append(
-            {name: np.asarray(track, float).reshape(-1, 4) for name, track in tracks_px.items()}
-        )
+        """Take the (N, 4) tracks of one update; those that are not finite lie nowhere."""
+        rows = {name: np.asarray(track, float).reshape(-1, 4) for name, track in tracks_px.items()}
+        self._steps.append({name: row[np.isfinite(row).all(axis=1)] for name, row in rows.items()})
 
     def tails(self, camera: str) -> tuple[Array, ...]:
         """Return the tails of the newest tracks of a camera, as long as their history connects."""

@@ -17,15 +17,28 @@ def parse_overrides(settings: Iterable[str]) -> dict[str, Any]:
     """
     result: dict[str, Any] = {}
     for setting in settings:
-        path, equals, text = setting.partition("=")
-        parts = path.strip().split(".")
-        if not equals or not all(parts):
-            raise InputError(f"--set {setting}: wanted KEY=VALUE, for example drive.speed_mps=8")
-        nested: Any = parse_yaml(text, f"--set {setting}")
-        for part in reversed(parts):
+        path, nested = _parse(setting)
+        for part in reversed(path.split(".")):
             nested = {part: nested}
         result = merge(result, nested)
     return result
+
+
+def settings_by_path(settings: Iterable[str]) -> dict[str, Any]:
+    """Return the value of each dotted path as it was set, for the record of a run; a later text wins.
+
+    Raises:
+        InputError: As ``parse_overrides`` does.
+    """
+    return dict(map(_parse, settings))
+
+
+def _parse(setting: str) -> tuple[str, Any]:
+    path, equals, text = setting.partition("=")
+    path = path.strip()
+    if not equals or not all(path.split(".")):
+        raise InputError(f"--set {setting}: wanted KEY=VALUE, for example drive.speed_mps=8")
+    return path, parse_yaml(text, f"--set {setting}")
 
 
 def merge(lower: Mapping[str, Any], upper: Mapping[str, Any]) -> dict[str, Any]:
