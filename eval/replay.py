@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -38,10 +39,23 @@ def replay(request: ReplayRequest, console: Console) -> RunResult:
     make_estimator = find_estimator(request.estimator)
     if not request.bag.exists():
         raise InputError(f"{request.bag}: no such recording; wanted a ROS 2 bag: its folder, or an MCAP file")
-    name = request.bag.absolute().name
+    name = recording_name(request.bag)
     out = request.out or RUNS / f"{name}-{request.estimator.replace(':', '.')}"
     with replacing_run_folder(out) as folder, keeping_traceback(out):
         digest = folder_digest(request.bag)
         header = RunHeader(name, digest, None, request.estimator, provenance(make_estimator, request.bag))
         result = judge_recording(request.bag, rig, make_estimator, header, folder, console)
     return replace(result, folder=out)
+
+
+def recording_name(bag: Path) -> str:
+    """Name a recording by its path; one that is merely called ``bag`` gets the name of its folder in front.
+
+    Else the results of all recordings called so would take each other's place.
+    """
+    path = bag.absolute().parent.resolve() / bag.absolute().name
+    name = path.name
+    while re.fullmatch(r"bag(_\d+)?", path.stem) and path.parent.name:
+        path = path.parent
+        name = f"{path.name}-{name}"
+    return name

@@ -47,7 +47,11 @@ def test_run_replaces_an_older_run_and_quiet_says_nothing(
 def test_run_with_set_changes_the_recording(command: Command, tiny: str, tmp_path: Path) -> None:
     setting = ("--set", "miscalibration.rotation_deg=1", "--set", "drive.distance_m=0.5")
     assert command("run", tiny, "--estimator", NOMINAL, "--out", tmp_path / "out", *setting) == 0
-    metrics = json.loads((tmp_path / "out" / "scores.json").read_text())["metrics"]
+    scores = json.loads((tmp_path / "out" / "scores.json").read_text())
+    metrics = scores["metrics"]
+    assert scores["settings"] == {"miscalibration.rotation_deg": 1, "drive.distance_m": 0.5}
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "set: miscalibration.rotation_deg=1, drive.distance_m=0.5" in page
     assert metrics["extrinsics.worst.rotation_deg"]["value"] == pytest.approx(1.0, abs=1e-3)
 
 
@@ -60,6 +64,19 @@ def test_a_recorded_drive_replays_with_the_same_answers(command: Command, tiny: 
         assert (tmp_path / "replayed" / name).read_bytes() == (tmp_path / "ran" / name).read_bytes()
     scores = json.loads((tmp_path / "replayed" / "scores.json").read_text())
     assert (scores["scenario"], scores["seed"]) == ("drive", None)
+
+
+def test_two_recordings_called_bag_keep_their_own_results(
+    command: Command, tiny: str, tmp_path: Path
+) -> None:
+    for folder in ("first", "second"):
+        (tmp_path / folder).mkdir()
+        bag = tmp_path / folder / "bag"
+        assert command("record", tiny, "--out", bag) == 0
+        assert command("replay", bag, "--rig", f"{bag}.rig.yaml", "--estimator", NOMINAL) == 0
+    name = "bag-tests.throwaway_estimators.Nominal"
+    runs = tmp_path / "reports" / "runs"
+    assert {path.name for path in runs.iterdir()} == {f"first-{name}", f"second-{name}"}
 
 
 def test_report_is_built_again(command: Command, tiny: str, tmp_path: Path) -> None:
