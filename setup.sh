@@ -63,16 +63,37 @@ see_that_it_renders() {
     can_render || { .venv/bin/rigtrue doctor >&2 || true; exit 1; }
 }
 
-find_browser() {
-    command -v chromium || command -v chromium-browser || command -v google-chrome
+has_browser() {
+    local name
+    for name in chromium chromium-browser google-chrome; do
+        # Being there is not enough: Ubuntu's package is a stub that starts a snap, which containers cannot.
+        if timeout 60 "$name" --version >/dev/null 2>&1 </dev/null; then return; fi
+    done
+    return 1
 }
 
 install_browser() {
-    if find_browser >/dev/null; then return; fi
-    local package=chromium
-    if grep -qs '^ID=ubuntu' /etc/os-release; then package=chromium-browser; fi
-    apt_install "$package"
-    find_browser >/dev/null || { say "there is still no chromium on the PATH"; exit 1; }
+    if has_browser; then return; fi
+    if ! grep -qs '^ID=ubuntu' /etc/os-release; then
+        apt_install chromium
+    elif snap list >/dev/null 2>&1; then
+        apt_install chromium-browser || true  # judged below
+    fi
+    if ! has_browser; then say_how_to_get_chrome; exit 1; fi
+}
+
+say_how_to_get_chrome() {
+    local sudo="sudo " deb=google-chrome-stable_current_amd64.deb
+    if [ "$(id -u)" = 0 ]; then sudo=""; fi
+    say "no chromium, chromium-browser or google-chrome on the PATH starts (tried with --version)"
+    if [ "$(uname -m)" = x86_64 ] && command -v apt-get >/dev/null; then
+        say "run this, then try again:"
+        echo "    ${sudo}apt-get update && ${sudo}apt-get install -y curl ca-certificates" >&2
+        echo "    curl -fLo /tmp/$deb https://dl.google.com/linux/direct/$deb" >&2
+        echo "    ${sudo}apt-get install -y /tmp/$deb" >&2
+    else
+        say "put a Chromium that starts on the PATH under one of these names, then try again"
+    fi
 }
 
 case "${1:-}" in

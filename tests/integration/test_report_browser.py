@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -34,11 +35,17 @@ class Visit:
     dialogs: list[str] = field(default_factory=list)
 
 
+def starts(program: str) -> bool:
+    """Tell a browser from a stub of its name that cannot start it."""
+    return subprocess.run([program, "--version"], capture_output=True, timeout=60).returncode == 0
+
+
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    path = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    names = map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))
+    path = next((name for name in names if name and starts(name)), None)
     if path is None:
-        pytest.fail("no Chromium on this machine; get it with: sudo apt-get install -y chromium")
+        pytest.fail("no Chromium on this machine that starts; get one with: ./setup.sh browser")
     with sync_playwright() as playwright:
         chromium = playwright.chromium.launch(executable_path=path, args=["--no-sandbox"])
         yield chromium
