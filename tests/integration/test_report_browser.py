@@ -203,7 +203,9 @@ def test_the_folder_holds_exactly_the_promised_files(run_folder, run_folder_with
     }
     assert {path.name for path in run_folder_without_truth.iterdir()} == names - {"truth.tum"}
     scores = json.loads((run_folder / "scores.json").read_text())
-    assert set(scores) == {"schema", "scenario", "digest", "seed", "estimator", "provenance", "metrics"}
+    assert set(scores) == {
+        *("schema", "scenario", "digest", "seed", "estimator", "settings", "provenance", "metrics")
+    }
     assert scores["schema"] == 1
 
 
