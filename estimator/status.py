@@ -13,7 +13,7 @@ from estimator.rig import Rig
 class StatusConfig(Config):
     """What it takes to call a camera converged, or lost."""
 
-    rotation_rad: float = 0.0017
+    rotation_rad: float = 0.002
     translation_m: float = 0.04
     min_links: int = 30
     prior_chi2: float = 27.9  # 0.9999 of a chi-square with six degrees of freedom

@@ -34,7 +34,7 @@ class WindowConfig(Config):
     """Noise, limits and search ranges of a window's calibration."""
 
     track_sigma_px: float = 0.5
-    anchored_sigma_px: float = 0.55
+    anchored_sigma_px: float = 0.65
     unsure_rad: float = 0.006
     wide_search_rad: float = 0.04
     narrow_search_rad: float = 0.008
