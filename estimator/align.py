@@ -10,11 +10,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from estimator.anchor_view import ViewLimits, view_anchors
 from estimator.anchors import Anchors
 from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index
-from estimator.patches import Patches, normalised, plane_warp, sample_patches
+from estimator.patches import Patches, normalised, sample_patches
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -27,7 +28,7 @@ class AlignConfig(Config):
     settled_px: float = 0.005
     min_likeness: float = 0.8
     max_shift_px: float = 3.0
-    max_stretch: float = 3.0
+    view: ViewLimits = ViewLimits()
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,32 +76,11 @@ def align(
     """
     pixels = np.full((len(landmark), 2), np.nan)
     likeness = np.full(len(landmark), np.nan)
-    source = (anchors.camera[landmark], anchors.keyframe[landmark])
-    warp = plane_warp(
-        scene,
-        source,
-        (camera, keyframe),
-        scene.points_world[landmark],
-        anchors.normals_world[landmark],
-        start_px,
-    )
-    with np.errstate(invalid="ignore"):
-        stretch = np.sqrt(np.abs(np.linalg.det(warp)))
-        usable = np.isfinite(warp).all((1, 2)) & (np.linalg.norm(warp, axis=(1, 2)) < 2 * config.max_stretch)
-        usable &= (
-            anchors.valid[landmark] & (stretch > 1 / config.max_stretch) & (stretch < config.max_stretch)
-        )
-    rows = np.flatnonzero(usable)
+    view = view_anchors(scene, anchors, landmark, camera, keyframe, start_px, config.view)
+    rows = np.flatnonzero(view.visible)
     if len(rows) == 0:
         return Aligned(pixels, likeness)
-    template = sample_patches(
-        images,
-        source[1][rows],
-        source[0][rows],
-        anchors.pixels[landmark[rows]],
-        warp[rows],
-        config.half_px + 1,
-    )
+    template = view.patches(images, rows, config.half_px + 1)
     solver, reference = _prepare(template)
     at = start_px[rows].copy()
     moving = np.arange(len(rows))

@@ -68,7 +68,7 @@ class Estimate:
         trajectory: From ``close()`` only: the refined (stamp_ns, world_from_ego) of the drive.
         tracks_px: By camera, (N, 4) previous and present pixel (u0, v0, u1, v1) of the tracks now alive.
         matches: Cross-camera matches that the newest window used; empty between windows.
-        stage_s: CPU-independent wall seconds of this update by stage.
+        stage_s: Wall seconds of this update by stage.
     """
 
     stamp_ns: int

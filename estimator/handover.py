@@ -12,11 +12,12 @@ import cv2
 import numpy as np
 
 from estimator.align import AlignConfig, align
+from estimator.anchor_view import ViewLimits, view_anchors
 from estimator.anchors import Anchors
 from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index, Observations
-from estimator.patches import plane_warp, sample_patches
+from estimator.patches import sample_patches
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -31,6 +32,7 @@ class HandoverConfig(Config):
     min_peak: float = 0.75
     max_rival: float = 0.9
     sigma_px: float = 0.25
+    view: ViewLimits = ViewLimits(min_stretch=0.33, max_norm=5.0)
     align: AlignConfig = AlignConfig(half_px=7, min_likeness=0.82)
 
 
@@ -49,11 +51,11 @@ def hand_over(
         images: ``images[keyframe][camera]``.
         observations: The sightings there are.
         anchors: Patch and plane of every landmark.
-        radius_px: (C, C) how far from the prediction to search, by anchoring and searched camera.
+        radius_px: (C,) how far from the prediction to search, by searched camera.
         config: Limits.
     """
     landmark, camera, keyframe, predicted = _candidates(scene, images, anchors, config)
-    radius = radius_px[anchors.camera[landmark], camera]
+    radius = radius_px[camera]
     start = _search(scene, images, anchors, (landmark, camera, keyframe), predicted, radius, config)
     found = np.isfinite(start).all(1)
     landmark, camera, keyframe, start = landmark[found], camera[found], keyframe[found], start[found]
@@ -133,31 +135,12 @@ def _search(
 ) -> Array:
     """Return (N, 2) the best place of each warped patch within its radius; NaN if unclear."""
     landmark, camera, keyframe = where
-    source = (anchors.camera[landmark], anchors.keyframe[landmark])
-    warp = plane_warp(
-        scene,
-        source,
-        (camera, keyframe),
-        scene.points_world[landmark],
-        anchors.normals_world[landmark],
-        predicted_px,
-    )
-    with np.errstate(invalid="ignore"):
-        stretch = np.sqrt(np.abs(np.linalg.det(warp)))
-        usable = np.isfinite(warp).all((1, 2)) & (stretch > 0.33) & (stretch < 3.0)
-        usable &= np.linalg.norm(warp, axis=(1, 2)) < 5.0
+    view = view_anchors(scene, anchors, landmark, camera, keyframe, predicted_px, config.view)
     result = np.full((len(landmark), 2), np.nan)
     whole = np.ceil(radius_px).astype(int)
-    for radius in np.unique(whole[usable]):
-        rows = np.flatnonzero(usable & (whole == radius))
-        template = sample_patches(
-            images,
-            source[1][rows],
-            source[0][rows],
-            anchors.pixels[landmark[rows]],
-            warp[rows],
-            config.half_px,
-        )
+    for radius in np.unique(whole[view.visible]):
+        rows = np.flatnonzero(view.visible & (whole == radius))
+        template = view.patches(images, rows, config.half_px)
         field = sample_patches(
             images, keyframe[rows], camera[rows], predicted_px[rows], None, config.half_px + int(radius)
         )

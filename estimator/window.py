@@ -129,12 +129,10 @@ class WindowCalibration:
             seen = self._believable(self.tracks, 5.0)
             anchors = self._anchors(seen)
             focal_px = np.array([np.mean(m.camera.focal_px) for m in self.scene.rig.cameras.values()])
-            radius_px = np.broadcast_to(
-                np.maximum(3.0, radius_rad * focal_px), (len(focal_px), len(focal_px))
-            )
+            radius_px = np.maximum(3.0, radius_rad * focal_px)
             found = hand_over(self.scene, self.images, seen, anchors, radius_px, self.config.handover)
             error_px = self.scene.residuals_px(found)
-            return seen.join(found.select(error_px < 1.5 * radius_px[0, found.camera]))
+            return seen.join(found.select(error_px < 1.5 * radius_px[found.camera]))
 
     def _adjust_jointly(self, linked: Observations) -> None:
         with self.stopwatch.stage("window"):

@@ -28,7 +28,7 @@ def handed_over(
     config: HandoverConfig = CONFIG,
 ) -> Observations:
     anchors = choose_anchors(scene, WINDOW.observations, WINDOW.images, NOT_ROAD)
-    return hand_over(scene, images, WINDOW.observations, anchors, np.full((3, 3), radius_px), config)
+    return hand_over(scene, images, WINDOW.observations, anchors, np.full(3, radius_px), config)
 
 
 FOUND = handed_over()
@@ -88,7 +88,7 @@ def test_another_street_in_the_picture_is_not_taken_for_this_one() -> None:
     ]
     anchors = choose_anchors(WINDOW.scene, WINDOW.observations, WINDOW.images, NOT_ROAD)
     anchors.valid[anchors.camera != FRONT] = False
-    found = hand_over(WINDOW.scene, images, WINDOW.observations, anchors, np.full((3, 3), 4.0), CONFIG)
+    found = hand_over(WINDOW.scene, images, WINDOW.observations, anchors, np.full(3, 4.0), CONFIG)
     assert len(found) <= 0.02 * len(FOUND)
 
 
