@@ -15,7 +15,7 @@ from estimator.errors import InputError
 from eval.out_folder import make_folder
 from eval.provenance import package_version
 from scenarios.cache import RecordingCache
-from sim.gl import probe_gl
+from sim.rendering.gl import probe_gl
 
 _MIN_PYTHON = (3, 11)
 _MIN_MEMORY_GB = 2.0

@@ -16,7 +16,7 @@ from eval.sweep_pool import run_jobs
 from eval.sweep_results import collect_rows, write_parquet
 from scenarios.cache import RecordingCache
 from scenarios.sweep import Sweep, load_sweep
-from sim.gl import require_gl
+from sim.rendering.gl import require_gl
 
 SWEEPS = Path("reports/sweeps")
 _PLAN = "sweep.yaml"

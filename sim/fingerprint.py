@@ -7,7 +7,7 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
-from sim.gl import probe_gl
+from sim.rendering.gl import probe_gl
 
 _PACKAGES = ("mujoco", "numpy", "opencv-python-headless", "scipy")
 

@@ -9,14 +9,14 @@ import mujoco
 
 from estimator.rig import Rig
 from estimator.se3 import Array
-from sim.cameras import write_cameras
-from sim.car import CarConfig, write_car, write_ground
-from sim.lens import Lens, make_lens
-from sim.miscalibration import miscalibrate
-from sim.render import write_visual_settings
+from sim.light.sky import write_sky
+from sim.rendering.classic import write_visual_settings
 from sim.seeds import rng_for
-from sim.sky import write_sky
-from sim.street import build_street
+from sim.sensing.lens import Lens, make_lens
+from sim.streets.street import build_street
+from sim.vehicle.cameras import write_cameras
+from sim.vehicle.car import CarConfig, write_car, write_ground
+from sim.vehicle.miscalibration import miscalibrate
 from sim.world import WorldConfig
 
 

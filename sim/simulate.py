@@ -10,13 +10,13 @@ import numpy as np
 
 from estimator.bundle import FrameBundle, Image
 from estimator.rig import Rig
-from sim.cameras import world_from_cam
-from sim.drive import drive, velocity_in_ego, world_from_ego
-from sim.lens import GreyImage, Lens
-from sim.render import ClassicRenderer, RgbImage
+from sim.rendering.classic import ClassicRenderer, RgbImage
 from sim.scene import build_scene
 from sim.seeds import rng_for
-from sim.sensor import SensorConfig, expose
+from sim.sensing.lens import GreyImage, Lens
+from sim.sensing.sensor import SensorConfig, expose
+from sim.vehicle.cameras import world_from_cam
+from sim.vehicle.drive import drive, velocity_in_ego, world_from_ego
 from sim.world import Snapshot, Truth, WorldConfig
 
 _LUMA = np.array([[0.299, 0.587, 0.114]], np.float32)  # ITU-R BT.601

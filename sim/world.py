@@ -11,11 +11,11 @@ from pydantic import model_validator
 from estimator.bundle import FrameBundle
 from estimator.config import Config
 from estimator.se3 import SE3, Array
-from sim.drive import DriveConfig
-from sim.miscalibration import MiscalibrationConfig
-from sim.sensor import SensorConfig
-from sim.street import StreetConfig
-from sim.weather import WeatherConfig
+from sim.light.weather import WeatherConfig
+from sim.sensing.sensor import SensorConfig
+from sim.streets.street import StreetConfig
+from sim.vehicle.drive import DriveConfig
+from sim.vehicle.miscalibration import MiscalibrationConfig
 
 STREET_MARGIN_M = 5.0  # of lane beyond the drive's end
 

@@ -16,14 +16,14 @@ from estimator.bundle import Image
 from estimator.camera import Camera
 from estimator.rig_file import read_rig
 from estimator.se3 import SE3, Array
-from sim.cameras import world_from_cam, write_cameras
-from sim.drive import DriveConfig, drive
-from sim.lens import make_lens
-from sim.miscalibration import MiscalibrationConfig, miscalibrate
-from sim.render import ClassicRenderer, write_visual_settings
+from sim.rendering.classic import ClassicRenderer, write_visual_settings
 from sim.scene import assemble_scene, physics_spec
-from sim.sensor import SensorConfig
+from sim.sensing.lens import make_lens
+from sim.sensing.sensor import SensorConfig
 from sim.simulate import read_truth, take_images
+from sim.vehicle.cameras import world_from_cam, write_cameras
+from sim.vehicle.drive import DriveConfig, drive
+from sim.vehicle.miscalibration import MiscalibrationConfig, miscalibrate
 from tests.ball_world import (
     balls_in_view,
     expected_centroid_px,

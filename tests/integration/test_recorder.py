@@ -19,10 +19,10 @@ from estimator.rig import MountedCamera, Rig
 from estimator.rig_file import read_rig
 from eval.truth import read_truth
 from sim.bag_writer import BagWriter
-from sim.drive import DriveConfig
 from sim.recorder import record
 from sim.simulate import simulate
-from sim.street import StreetConfig
+from sim.streets.street import StreetConfig
+from sim.vehicle.drive import DriveConfig
 from sim.world import Snapshot, WorldConfig
 
 GAP = read_rig(Path(__file__).parents[2] / "scenarios" / "rigs" / "gap.yaml")

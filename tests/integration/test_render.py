@@ -10,9 +10,9 @@ import pytest
 
 from estimator.camera import Camera
 from estimator.se3 import SE3
-from sim.cameras import write_cameras
-from sim.render import SUN_DISTANCE_M, ClassicRenderer, write_visual_settings
+from sim.rendering.classic import SUN_DISTANCE_M, ClassicRenderer, write_visual_settings
 from sim.scene import physics_spec
+from sim.vehicle.cameras import write_cameras
 
 SOURCE = Camera("pinhole", (240, 160), (150.0, 150.0), (119.5, 79.5))
 TOWARD = np.array([0.4, 0.3, -0.87]) / np.linalg.norm([0.4, 0.3, -0.87])

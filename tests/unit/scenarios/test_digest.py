@@ -70,7 +70,7 @@ def test_the_code_that_makes_a_recording_changes_its_digest(monkeypatch: pytest.
 
 
 @pytest.mark.parametrize(
-    "name", ["sim/sky.py", "sim/render.py", "estimator/distortion.py", "estimator/se3.py"]
+    "name", ["sim/light/sky.py", "sim/rendering/classic.py", "estimator/distortion.py", "estimator/se3.py"]
 )
 def test_a_change_to_the_simulator_or_its_vocabulary_changes_the_source_digest(
     house: Path, name: str

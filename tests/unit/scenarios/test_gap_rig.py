@@ -7,7 +7,7 @@ import pytest
 
 from estimator.rig import Rig
 from estimator.rig_file import read_rig
-from sim.miscalibration import MiscalibrationConfig, miscalibrate
+from sim.vehicle.miscalibration import MiscalibrationConfig, miscalibrate
 
 RIG = read_rig(Path(__file__).parents[3] / "scenarios" / "rigs" / "gap.yaml")
 DEPTHS_M = (1.0, 2.0, 4.0, 8.0, 16.0, 40.0, 100.0)

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 
 from estimator.se3 import SE3, Array
-from sim.car import CarConfig, ackermann_rad, write_car, write_ground
-from sim.drive import DriveConfig, drive, velocity_in_ego, world_from_ego
-from sim.follower import Follower
 from sim.scene import physics_spec
+from sim.vehicle.car import CarConfig, ackermann_rad, write_car, write_ground
+from sim.vehicle.drive import DriveConfig, drive, velocity_in_ego, world_from_ego
+from sim.vehicle.follower import Follower
 
 CAR = CarConfig()
 

@@ -5,7 +5,7 @@ import numpy as np
 
 from estimator.camera import Camera
 from estimator.se3 import SE3
-from sim.culling import in_view
+from sim.rendering.culling import in_view
 
 SOURCE = Camera("pinhole", (320, 200), (150.0, 160.0), (170.0, 90.0))
 WORLD_FROM_CAM = SE3.exp(np.array([0.4, -0.8, 0.3, 1.0, 2.0, -0.5]))

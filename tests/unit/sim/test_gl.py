@@ -5,7 +5,7 @@ import os
 import pytest
 
 from estimator.errors import InputError
-from sim import gl
+from sim.rendering import gl
 
 EGL = ("libEGL.so.1", "libGL.so.1")
 

@@ -5,7 +5,7 @@ import pytest
 
 from estimator.camera import Camera
 from estimator.errors import InputError
-from sim.lens import make_lens
+from sim.sensing.lens import make_lens
 
 BROWN = Camera(
     "brown_conrady", (320, 200), (180.0, 182.0), (155.2, 101.7), (-0.2, 0.05, 0.0004, -0.0003, 0.002)

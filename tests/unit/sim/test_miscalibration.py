@@ -6,7 +6,7 @@ import pytest
 from estimator.camera import Camera
 from estimator.rig import MountedCamera, Rig
 from estimator.se3 import SE3
-from sim.miscalibration import MiscalibrationConfig, miscalibrate
+from sim.vehicle.miscalibration import MiscalibrationConfig, miscalibrate
 
 CAMERA = Camera("pinhole", (640, 400), (457.0, 457.0), (319.5, 199.5))
 POSE = SE3.exp(np.array([0.1, 0.5, -1.0, 1.0, 0.2, 1.4]))

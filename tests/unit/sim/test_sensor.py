@@ -3,7 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sim.sensor import LEVELS_PER_ELECTRON, READ_NOISE_LEVELS, SensorConfig, expose
+from sim.sensing.sensor import LEVELS_PER_ELECTRON, READ_NOISE_LEVELS, SensorConfig, expose
 
 ROUNDING_VARIANCE = 1 / 12
 

@@ -7,8 +7,8 @@ import mujoco
 import numpy as np
 import pytest
 
-from sim.footprint import gap_m, rectangle_m
-from sim.street import Street, StreetConfig, build_street
+from sim.streets.footprint import gap_m, rectangle_m
+from sim.streets.street import Street, StreetConfig, build_street
 
 DRIVEN_HALF_M = 1.3
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from sim.footprint import Ground, gap_m, rectangle_m
-from sim.parked_cars import KINDS, CarKind, car, outline_m
-from sim.street_mesh import Mesh, box, disc, merged, tube
-from sim.vegetation import bush_mesh
+from sim.shapes.mesh import Mesh, box, disc, merged, tube
+from sim.shapes.parked_cars import KINDS, CarKind, car, outline_m
+from sim.shapes.vegetation import bush_mesh
+from sim.streets.footprint import Ground, gap_m, rectangle_m
 
 
 def outward_share(mesh: Mesh, center: np.ndarray) -> float:

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from sim.street_layout import Layout, draw_layout, lane_centerline_m
-from sim.street_path import STEP_M, bend_curvature, bend_length_m, path_from_curvature
+from sim.streets.layout import Layout, draw_layout, lane_centerline_m
+from sim.streets.path import STEP_M, bend_curvature, bend_length_m, path_from_curvature
 
 SEEDS = range(8)
 

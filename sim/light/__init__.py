@@ -1,0 +1,1 @@
+"""Light and weather: sun, sky, night, fog, rain."""

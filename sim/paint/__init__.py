@@ -1,0 +1,1 @@
+"""What things are covered with: every texture, painted from a seed."""

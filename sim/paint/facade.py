@@ -1,0 +1,147 @@
+"""The painting of a house front: its wall, what hangs on it, and what years of weather did to it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sim.paint.canvas import Canvas, RgbImage
+from sim.paint.noise import crooked_line, fractal, smoothstep
+from sim.paint.openings import PAINTERS
+from sim.paint.paving import lay_setts
+from sim.shapes.facade import Facade, Panel
+from sim.shapes.facade_mesh import GABLE_M, atlas_width_m
+
+
+def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> RgbImage:
+    """Front, gable and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
+    canvas = Canvas(atlas_width_m(facade), facade.height_m, (texel_m, texel_m), facade.wall_color)
+    _WALLS[facade.wall](canvas, facade, rng)
+    _age(canvas, facade, rng)
+    for panel in (*facade.panels, *_gable_windows(facade)):
+        _cast_shade(canvas, facade, panel)
+        PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
+    _scribble(canvas, facade, rng)
+    _tile_roof(canvas, facade, rng)
+    canvas.shade(0.02 * fractal(rng, canvas.shape, canvas.cells(0.3), 2, 0.7))
+    return canvas.image()
+
+
+def _gable_windows(facade: Facade) -> list[Panel]:
+    """Plain windows on the side wall of a corner house; painted only."""
+    if not facade.corner:
+        return []
+    windows = []
+    for z in np.arange(1.2, facade.height_m - 2.2, 2.9):
+        for x in (0.7, 2.9):
+            left = facade.width_m + x
+            windows.append(Panel(left - 0.1, left + 1.2, z - 0.1, z + 1.6, 0.04, "trim"))
+            windows.append(Panel(left, left + 1.1, z, z + 1.5, 0.0, "window"))
+    return windows
+
+
+def _flipped(facade: Facade, panel: Panel) -> Panel:
+    """The panel with z counted downwards from the eaves, as the canvas does."""
+    return Panel(
+        panel.x0, panel.x1, facade.height_m - panel.z1, facade.height_m - panel.z0, panel.depth_m, panel.kind
+    )
+
+
+def _brick(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    color = np.array(facade.wall_color)
+    lay_setts(
+        canvas, 0, 0, facade.width_m + GABLE_M, facade.height_m, (0.25, 0.085), float(color.mean()), rng
+    )
+    canvas.pixels *= (color / color.mean()).astype(np.float32)
+
+
+def _plaster(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    canvas.shade(0.03 * fractal(rng, canvas.shape, canvas.cells(0.25), 4, 0.8))
+    for _ in range(round(facade.width_m * facade.height_m / 14)):
+        x, y = rng.uniform(0, facade.width_m + GABLE_M), facade.height_m - abs(rng.normal(0, 2.0))
+        outline = rng.uniform(0.2, 0.7) * (1 + 0.35 * rng.standard_normal((14, 1)))
+        angles = np.linspace(0, 2 * np.pi, 14, endpoint=False)
+        shape = np.stack([np.cos(angles) * 1.4, np.sin(angles)], 1) * outline + [x, y]
+        tone = float(np.mean(facade.wall_color)) * rng.uniform(0.55, 1.15)
+        canvas.fill(shape, (tone, tone * 0.94, tone * 0.86), 0.75)
+
+
+def _ashlar(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    color = np.array(facade.wall_color)
+    lay_setts(
+        canvas, 0, 0, facade.width_m + GABLE_M, facade.height_m, (0.62, 0.31), float(color.mean()) * 0.95, rng
+    )
+    canvas.pixels *= (color / color.mean()).astype(np.float32)
+
+
+def _boards(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    color = np.array(facade.wall_color)
+    lay_setts(canvas, 0, 0, facade.width_m + GABLE_M, facade.height_m, (2.6, 0.16), float(color.mean()), rng)
+    canvas.pixels *= (color / color.mean()).astype(np.float32)
+
+
+_WALLS: dict[str, Callable[[Canvas, Facade, np.random.Generator], None]] = {
+    "brick": _brick,
+    "plaster": _plaster,
+    "ashlar": _ashlar,
+    "boards": _boards,
+}
+
+
+def _age(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    """Blotches, rain streaks, splashed and sooty feet, cracks."""
+    shape = canvas.shape
+    blotches = fractal(rng, shape, canvas.cells(1.6), 4, 0.55)
+    streaks = fractal(rng, shape, (canvas.cells(2.5)[0], canvas.cells(0.16)[1]), 3, 0.7)
+    height = np.linspace(facade.height_m, 0, shape[0], dtype=np.float32)[:, None]
+    foot = smoothstep(0.9, 0.0, height + 0.25 * blotches)
+    canvas.shade(0.075 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
+    for _ in range(int(rng.integers(2, 6))):
+        start = np.array([rng.uniform(0, facade.width_m + GABLE_M), rng.uniform(0, facade.height_m)])
+        line = crooked_line(rng, start, rng.uniform(0.9, 2.2), rng.uniform(0.5, 2.5), 0.5)
+        canvas.stroke(line, 0.02, (60, 56, 50), 0.8)
+
+
+def _cast_shade(canvas: Canvas, facade: Facade, panel: Panel) -> None:
+    """The soft dark seam under what stands out, and dirt that the rain leaves there."""
+    if panel.depth_m <= 0.03:
+        return
+    y = facade.height_m - panel.z0
+    reach = min(0.1 + 0.5 * panel.depth_m, 0.5)
+    for part in (1.0, 0.6, 0.3):
+        canvas.rect(panel.x0, y, panel.x1, y + reach * part, (28, 26, 26), 0.2)
+
+
+def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    """Sprayed tags, posters, a house number: what gathers on walls within reach."""
+    for _ in range(rng.poisson(facade.width_m / 6.0)):
+        x, y = rng.uniform(0.2, facade.width_m + GABLE_M - 1), facade.height_m - rng.uniform(0.7, 1.9)
+        if rng.random() < 0.5:
+            count = int(rng.integers(6, 12))
+            wave = np.stack(
+                [np.linspace(0, rng.uniform(0.5, 1.4), count), rng.normal(0, 0.18, count)], axis=1
+            )
+            line = wave + np.array([x, y])
+            canvas.stroke(
+                line, 0.04, rng.choice([20.0, 230.0]) * np.array([1.0, rng.uniform(0.3, 1), 0.6]), 0.8
+            )
+        else:
+            w, h = rng.uniform(0.3, 0.6), rng.uniform(0.4, 0.8)
+            canvas.rect(x, y, x + w, y + h, rng.uniform(120, 240, 3))
+            canvas.rect(x + 0.05, y + 0.05, x + w - 0.05, y + h * 0.55, rng.uniform(20, 200, 3))
+            for k in range(3):
+                canvas.rect(
+                    x + 0.05,
+                    y + h * (0.64 + 0.11 * k),
+                    x + w * rng.uniform(0.5, 0.9),
+                    y + h * (0.69 + 0.11 * k),
+                    (40, 40, 44),
+                )
+    canvas.text(str(rng.integers(1, 99)), rng.uniform(0.3, 0.8), facade.height_m - 2.0, 0.18, (240, 240, 236))
+
+
+def _tile_roof(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    x0, x1 = facade.width_m + GABLE_M, atlas_width_m(facade)
+    tone = rng.uniform(70, 120)
+    lay_setts(canvas, x0, 0, x1, facade.height_m, (0.24, 0.3), tone, rng)

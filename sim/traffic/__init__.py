@@ -1,0 +1,1 @@
+"""What moves besides the car: cars, cyclists, pedestrians."""

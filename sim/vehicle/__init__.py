@@ -1,0 +1,1 @@
+"""The car: physics, driver, cameras on it and how they move, inertial and wheel sensors."""
