@@ -55,7 +55,7 @@ install_packages() {
 }
 
 can_render() {
-    .venv/bin/python -c 'import sys; from sim.gl import probe_gl; sys.exit(probe_gl().problem is not None)'
+    .venv/bin/python -c 'import sys; from sim.rendering.gl import probe_gl; sys.exit(probe_gl().problem is not None)'
 }
 
 see_that_it_renders() {

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Mapping
+from collections.abc import Generator
 
-import cv2
-import mujoco
-import numpy as np
-
-from estimator.bundle import FrameBundle, Image
+from estimator.bundle import FrameBundle
 from estimator.rig import Rig
-from sim.rendering.classic import ClassicRenderer, RgbImage
-from sim.scene import build_scene
-from sim.seeds import rng_for
-from sim.sensing.lens import GreyImage, Lens
-from sim.sensing.sensor import SensorConfig, expose
+from sim.rendering.classic import ClassicRenderer
+from sim.scene import Scene, build_scene
+from sim.sensing.capture import CameraArray
+from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
-from sim.vehicle.drive import drive, velocity_in_ego, world_from_ego
+from sim.vehicle.drive import velocity_in_ego, world_from_ego
 from sim.world import Snapshot, Truth, WorldConfig
 
-_LUMA = np.array([[0.299, 0.587, 0.114]], np.float32)  # ITU-R BT.601
+CLOCK_START_NS = 1_000_000_000  # stamp of the drive's time zero
 
 
 def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, None, None]:
@@ -33,33 +28,21 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
         seed: Everything random follows from it.
     """
     scene = build_scene(config, rig, seed)
-    data = mujoco.MjData(scene.model)
-    sources = {name: lens.source for name, lens in scene.lenses.items()}
-    with ClassicRenderer(scene.model, sources) as renderer:
-        for index in drive(scene.model, data, config.drive, scene.path_m, scene.car):
-            images = take_images(renderer.render(data), scene.lenses, config.sensor, seed, index)
-            stamp_ns = config.drive.stamp_ns(index)
-            yield Snapshot(FrameBundle(stamp_ns, images), read_truth(scene.model, data, rig, stamp_ns))
+    stage = Stage(scene, config.drive)
+    cameras = CameraArray(scene.lenses, config.sensor, seed)
+    with ClassicRenderer(scene.model) as renderer:
+        for index in range(config.drive.bundle_count):
+            time_s = config.drive.time_s(index)
+            images = cameras.take(stage, renderer, index, time_s)
+            truth = read_truth(scene, stage, time_s)
+            yield Snapshot(FrameBundle(truth.stamp_ns, images), truth)
 
 
-def take_images(
-    pictures: Mapping[str, RgbImage], lenses: Mapping[str, Lens], sensor: SensorConfig, seed: int, index: int
-) -> dict[str, Image]:
-    """Pass each camera's picture through its lens and sensor; noise is seeded by camera and bundle."""
-    return {
-        name: expose(lens.apply(grey(pictures[name])), sensor, rng_for(seed, f"sensor.{name}.{index}"))
-        for name, lens in lenses.items()
-    }
-
-
-def grey(picture: RgbImage) -> GreyImage:
-    """Return (H, W) luma of an (H, W, 3) picture, unrounded."""
-    return np.asarray(cv2.transform(picture.astype(np.float32), _LUMA))
-
-
-def read_truth(model: mujoco.MjModel, data: mujoco.MjData, rig: Rig, stamp_ns: int) -> Truth:
+def read_truth(scene: Scene, stage: Stage, time_s: float) -> Truth:
     """Read the state of car and cameras out of the physics, not out of what was asked for."""
+    data = stage.at(time_s)
     pose = world_from_ego(data)
     ego_from_world = pose.inverse()
-    ego_from_cams = {name: ego_from_world @ world_from_cam(data, name) for name in rig.cameras}
-    return Truth(stamp_ns, pose, velocity_in_ego(model, data), ego_from_cams)
+    ego_from_cams = {name: ego_from_world @ world_from_cam(data, name) for name in scene.lenses}
+    stamp_ns = CLOCK_START_NS + round(time_s * 1e9)
+    return Truth(stamp_ns, pose, velocity_in_ego(scene.model, data), ego_from_cams)

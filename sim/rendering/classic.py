@@ -1,52 +1,33 @@
-"""Renderers behind one protocol: physics state in, one picture a camera out.
-
-The classic renderer is MuJoCo's own OpenGL one, off-screen, with shadows and multisampling. It renders
-pinholes only; lenses are made of its pictures in ``sim.sensing.lens``.
-"""
+"""MuJoCo's own OpenGL renderer, off-screen, with shadows and multisampling."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from types import TracebackType
-from typing import Protocol, Self
+from typing import Self
 
 import mujoco
 import numpy as np
 import numpy.typing as npt
 
 from estimator.camera import Camera
+from estimator.se3 import Array
 from sim.rendering.culling import in_view
 from sim.rendering.gl import no_gl_error, open_context
 from sim.rendering.shadow_map import SharedShadowMap
-from sim.vehicle.cameras import world_from_cam
+from sim.rendering.view import FAR_M, NEAR_M, DepthImage, Picture, View
 from sim.vehicle.car import HIDDEN_GROUP
-
-RgbImage = npt.NDArray[np.uint8]
 
 MULTISAMPLES = 4
 SHADOW_MAP_PX = 4096
 SHADOW_RADIUS_M = 60.0  # of what the sun's shadow map covers
 SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0
-NEAR_M, FAR_M = 0.05, 300.0
 _MOST_GEOMS = 20_000
 
 
-class Renderer(Protocol):
-    """Turns the state of a world into pictures; a context manager, complete once constructed."""
-
-    def render(self, data: mujoco.MjData) -> Mapping[str, RgbImage]:
-        """Return each camera's (H, W, 3) picture of this instant; ``mj_forward`` was called on ``data``."""
-
-    def __enter__(self) -> Self: ...
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None: ...
-
-
-def write_visual_settings(spec: mujoco.MjSpec, sources: Mapping[str, Camera]) -> None:
+def write_visual_settings(spec: mujoco.MjSpec, largest_px: tuple[int, int]) -> None:
     """Fix clip planes, buffer size and sampling; call once on the spec before it is compiled."""
     spec.stat.extent = 1.0  # MuJoCo scales the clip planes by this, which else follows the scene
     spec.visual.map.znear = NEAR_M
@@ -54,24 +35,21 @@ def write_visual_settings(spec: mujoco.MjSpec, sources: Mapping[str, Camera]) ->
     spec.visual.map.shadowclip = SHADOW_RADIUS_M
     spec.visual.quality.shadowsize = SHADOW_MAP_PX
     spec.visual.quality.offsamples = MULTISAMPLES
-    spec.visual.global_.offwidth = max(source.size_px[0] for source in sources.values())
-    spec.visual.global_.offheight = max(source.size_px[1] for source in sources.values())
+    spec.visual.global_.offwidth, spec.visual.global_.offheight = largest_px
 
 
 class ClassicRenderer:
-    """MuJoCo's OpenGL renderer for all cameras of a model, each at its own size."""
+    """Draws any pinhole view of a model's state; ``sim.rendering.view.Renderer`` says how."""
 
-    def __init__(self, model: mujoco.MjModel, sources: Mapping[str, Camera]) -> None:
-        """Take a model that holds one camera element a source, and make the OpenGL context.
+    def __init__(self, model: mujoco.MjModel) -> None:
+        """Make the OpenGL context, as large as the model's visual settings say.
 
         Raises:
             InputError: This machine cannot render; the line names the package to install.
         """
-        self._model, self._sources = model, sources
+        self._model = model
         self._scene = mujoco.MjvScene(model, maxgeom=_MOST_GEOMS)
-        self._option = mujoco.MjvOption()
-        self._camera = mujoco.MjvCamera()
-        self._camera.type = mujoco.mjtCamera.mjCAMERA_FIXED
+        self._option, self._camera = mujoco.MjvOption(), mujoco.MjvCamera()
         self._gl = open_context(model.vis.global_.offwidth, model.vis.global_.offheight)
         try:
             self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
@@ -80,34 +58,43 @@ class ClassicRenderer:
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         self._shadow_map = SharedShadowMap(self._context)
 
-    def render(self, data: mujoco.MjData) -> dict[str, RgbImage]:
+    def render(
+        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
+    ) -> dict[str, Picture]:
         self._gl.make_current()
-        self._draw_shadow_map(data)
+        middle = np.mean([view.world_from_cam.translation for view in views.values()], axis=0)
+        self._draw_shadow_map(data, middle)
         with self._shadow_map.frozen():
-            return {name: self._picture(data, name, source) for name, source in self._sources.items()}
+            return {name: self._picture(data, view, middle, depth) for name, view in views.items()}
 
-    def _draw_shadow_map(self, data: mujoco.MjData) -> None:
-        self._update_scene(data, next(iter(self._sources)))
+    def _draw_shadow_map(self, data: mujoco.MjData, middle_m: Array) -> None:
+        self._update_scene(data, middle_m)
         mujoco.mjr_render(mujoco.MjrRect(0, 0, 1, 1), self._scene, self._context)
 
-    def _picture(self, data: mujoco.MjData, name: str, source: Camera) -> RgbImage:
-        with _only(self._model, in_view(self._model, data, source, world_from_cam(data, name))):
-            self._update_scene(data, name)
-        width, height = source.size_px
+    def _picture(self, data: mujoco.MjData, view: View, middle_m: Array, depth: bool) -> Picture:
+        with _only(self._model, in_view(self._model, data, view.pinhole, view.world_from_cam)):
+            self._update_scene(data, middle_m)
+        for eye in self._scene.camera:
+            aim(eye, view)
+        for light in self._scene.lights[: self._scene.nlight]:
+            if light.headlight:
+                light.pos, light.dir = view.world_from_cam.translation, view.world_from_cam.rotation[:, 2]
+        width, height = view.pinhole.size_px
         rect = mujoco.MjrRect(0, 0, width, height)
         mujoco.mjr_render(rect, self._scene, self._context)
-        picture = np.empty((height, width, 3), np.uint8)
-        mujoco.mjr_readPixels(picture, None, rect, self._context)
-        return picture[::-1]  # OpenGL counts rows from the bottom
+        rgb = np.empty((height, width, 3), np.uint8)
+        z_buffer = np.empty((height, width), np.float32) if depth else None
+        mujoco.mjr_readPixels(rgb, z_buffer, rect, self._context)
+        # OpenGL counts rows from the bottom.
+        return Picture(rgb[::-1], None if z_buffer is None else metres_of_z_buffer(z_buffer[::-1]))
 
-    def _update_scene(self, data: mujoco.MjData, name: str) -> None:
-        self._camera.fixedcamid = self._model.camera(name).id
+    def _update_scene(self, data: mujoco.MjData, middle_m: Array) -> None:
         everything = mujoco.mjtCatBit.mjCAT_ALL.value
         mujoco.mjv_updateScene(self._model, data, self._option, None, self._camera, everything, self._scene)
-        middle = SHADOW_STRIDE_M * np.rint(data.cam_xpos.mean(0) / SHADOW_STRIDE_M) * [1, 1, 0]
+        centre = SHADOW_STRIDE_M * np.rint(middle_m / SHADOW_STRIDE_M) * [1, 1, 0]
         for light in self._scene.lights[: self._scene.nlight]:
             if light.castshadow and light.type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL:
-                light.pos = middle - SUN_DISTANCE_M * light.dir  # centres its shadow map
+                light.pos = centre - SUN_DISTANCE_M * light.dir  # centres its shadow map
 
     def close(self) -> None:
         """Free the OpenGL objects; a renderer left to the interpreter's exit would raise there."""
@@ -134,3 +121,25 @@ def _only(model: mujoco.MjModel, drawn: npt.NDArray[np.bool_]) -> Iterator[None]
         yield
     finally:
         model.geom_group[:], model.geom_castshadow[:] = groups, casting
+
+
+def aim(eye: mujoco.MjvGLCamera, view: View) -> None:
+    """Give MuJoCo's camera the pose and the frustum of a pinhole view."""
+    pose, pinhole = view.world_from_cam, view.pinhole
+    eye.pos = pose.translation
+    eye.forward, eye.up = pose.rotation[:, 2], -pose.rotation[:, 1]
+    left, right = (_edge_m(pinhole, 0, edge_px) for edge_px in (-0.5, pinhole.size_px[0] - 0.5))
+    top, bottom = (_edge_m(pinhole, 1, edge_px) for edge_px in (-0.5, pinhole.size_px[1] - 0.5))
+    eye.frustum_center, eye.frustum_width = (left + right) / 2, (right - left) / 2
+    eye.frustum_bottom, eye.frustum_top = -bottom, -top
+    eye.frustum_near, eye.frustum_far = NEAR_M, FAR_M
+
+
+def _edge_m(pinhole: Camera, axis: int, edge_px: float) -> float:
+    """Where an edge of the image lies on the near plane; integer pixels are pixel centres."""
+    return NEAR_M * (edge_px - pinhole.center_px[axis]) / pinhole.focal_px[axis]
+
+
+def metres_of_z_buffer(z_buffer: DepthImage) -> DepthImage:
+    """Undo the perspective depth of OpenGL: 0 at the near plane, 1 at the far one."""
+    return np.asarray(NEAR_M * FAR_M / (FAR_M - z_buffer * np.float32(FAR_M - NEAR_M)), np.float32)

@@ -1,11 +1,6 @@
-"""How the car is driven: settle, roll up to the start of the path at speed, then follow it and sample.
-
-Physics only; what the cameras see is rendered by the caller from the ``MjData`` at each sample.
-"""
+"""How the car is driven: rolled up to the start of the path at speed, then steered along it."""
 
 from __future__ import annotations
-
-from collections.abc import Iterator
 
 import mujoco
 import numpy as np
@@ -16,7 +11,6 @@ from estimator.se3 import SE3, Array
 from sim.vehicle.car import CHASSIS, DRIVEN, STEERED, WHEELS, CarConfig, ackermann_rad
 from sim.vehicle.follower import Follower
 
-LONGEST_STEP_S = 0.002
 RUN_UP_S = 2.0
 _SPEED_GAIN_PS = 2.0  # acceleration asked for, per speed error
 _HARDEST_PUSH_MPS2 = 4.0
@@ -34,31 +28,9 @@ class DriveConfig(Config):
         """Bundles at both ends of the drive and every period between."""
         return int(self.distance_m / self.speed_mps * self.rate_hz + 1e-6) + 1
 
-    def stamp_ns(self, index: int) -> int:
-        """Return when bundle ``index`` is taken; the first one second after the clock's zero."""
-        return 1_000_000_000 + round(index * 1e9 / self.rate_hz)
-
-
-def drive(
-    model: mujoco.MjModel, data: mujoco.MjData, config: DriveConfig, path_m: Array, car: CarConfig
-) -> Iterator[int]:
-    """Drive along an (N, 2) world path; yield each bundle's index with ``data`` at that instant.
-
-    Bundle 0 finds the ego origin at the path's first point, to a step's length.
-    """
-    period_s = 1 / config.rate_hz
-    steps = int(np.ceil(period_s / LONGEST_STEP_S))
-    model.opt.timestep = period_s / steps
-    follower = Follower(path_m, car.wheelbase_m, config.speed_mps * RUN_UP_S + 1.0)
-    place_rolling(model, data, path_m, config.speed_mps, car)
-    heading = path_m[1] - path_m[0]
-    while (data.body(CHASSIS).xpos[:2] - path_m[0]) @ heading < 0:
-        step(model, data, follower, config.speed_mps, car)
-    for index in range(config.bundle_count):
-        for _ in range(steps if index else 0):
-            step(model, data, follower, config.speed_mps, car)
-        mujoco.mj_forward(model, data)  # positions of this instant, not of the step before
-        yield index
+    def time_s(self, index: int) -> float:
+        """Return when bundle ``index`` is taken, since the drive began."""
+        return index / self.rate_hz
 
 
 def place_rolling(

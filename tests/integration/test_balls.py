@@ -17,12 +17,15 @@ from estimator.camera import Camera
 from estimator.rig_file import read_rig
 from estimator.se3 import SE3, Array
 from sim.rendering.classic import ClassicRenderer, write_visual_settings
+from sim.rendering.view import View
 from sim.scene import assemble_scene, physics_spec
+from sim.sensing.capture import CameraArray, grey
 from sim.sensing.lens import make_lens
-from sim.sensing.sensor import SensorConfig
-from sim.simulate import read_truth, take_images
+from sim.sensing.sensor import SensorConfig, expose
+from sim.simulate import read_truth
+from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam, write_cameras
-from sim.vehicle.drive import DriveConfig, drive
+from sim.vehicle.drive import DriveConfig
 from sim.vehicle.miscalibration import MiscalibrationConfig, miscalibrate
 from tests.ball_world import (
     balls_in_view,
@@ -56,12 +59,13 @@ def test_balls_appear_where_the_camera_projects_them(camera: Camera) -> None:
     write_balls(spec, centers, radii_m)
     body = spec.worldbody.add_body(pos=body_pose.translation, quat=body_pose.quaternion_xyzw[[3, 0, 1, 2]])
     write_cameras(body, {"eye": lens.source}, {"eye": body_from_cam})
-    write_visual_settings(spec, {"eye": lens.source})
+    write_visual_settings(spec, lens.source.size_px)
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    with ClassicRenderer(model, {"eye": lens.source}) as renderer:
-        image = take_images(renderer.render(data), {"eye": lens}, SensorConfig(noise=0), 0, 0)["eye"]
+    with ClassicRenderer(model) as renderer:
+        picture = renderer.render(data, {"eye": View(lens.source, world_from_cam(data, "eye"))})["eye"]
+    image = expose(lens.apply(grey(picture.rgb)), SensorConfig(noise=0), np.random.default_rng(0))
     centers_cam = world_from_cam(data, "eye").inverse().apply(centers)
     expected = [
         expected_centroid_px(camera, center, radius)
@@ -82,12 +86,13 @@ def test_truth_of_a_moving_car_explains_its_pictures() -> None:
     arc = np.arange(0.0, 40.0, 0.25)
     path_m = 12 * np.column_stack([np.sin(arc / 12), 1 - np.cos(arc / 12)])
     scene = assemble_scene(lambda spec: write_balls(spec, centers, radii_m), path_m, true_rig)
-    data = mujoco.MjData(scene.model)
+    config = DriveConfig(distance_m=4.0, rate_hz=2.0)
+    stage, cameras = Stage(scene, config), CameraArray(scene.lenses, SensorConfig(noise=0), 0)
     errors_px = []
-    with ClassicRenderer(scene.model, {name: lens.source for name, lens in scene.lenses.items()}) as renderer:
-        for index in drive(scene.model, data, DriveConfig(distance_m=4.0, rate_hz=2.0), path_m, scene.car):
-            images = take_images(renderer.render(data), scene.lenses, SensorConfig(noise=0), 0, index)
-            truth = read_truth(scene.model, data, true_rig, 0)
+    with ClassicRenderer(scene.model) as renderer:
+        for index in range(config.bundle_count):
+            images = cameras.take(stage, renderer, index, config.time_s(index))
+            truth = read_truth(scene, stage, config.time_s(index))
             for name, image in images.items():
                 world_from_cam_true = truth.world_from_ego @ truth.ego_from_cams[name]
                 errors_px += _errors_px(RIG[name].camera, image, world_from_cam_true, centers, radii_m)

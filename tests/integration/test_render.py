@@ -11,6 +11,7 @@ import pytest
 from estimator.camera import Camera
 from estimator.se3 import SE3
 from sim.rendering.classic import SUN_DISTANCE_M, ClassicRenderer, write_visual_settings
+from sim.rendering.view import View
 from sim.scene import physics_spec
 from sim.vehicle.cameras import write_cameras
 
@@ -48,7 +49,7 @@ def model() -> mujoco.MjModel:
     )
     sun.pos, sun.dir = -SUN_DISTANCE_M * TOWARD, TOWARD
     write_cameras(spec.worldbody, SOURCES, POSES)
-    write_visual_settings(spec, SOURCES)
+    write_visual_settings(spec, SOURCE.size_px)
     return spec.compile()
 
 
@@ -56,9 +57,10 @@ def model() -> mujoco.MjModel:
 def pictures(model: mujoco.MjModel) -> Iterator[dict[str, np.ndarray]]:
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    with ClassicRenderer(model, SOURCES) as renderer:
-        renderer.render(data)  # the second time must not depend on the first
-        yield renderer.render(data)
+    views = {name: View(SOURCE, pose) for name, pose in POSES.items()}
+    with ClassicRenderer(model) as renderer:
+        renderer.render(data, views)  # the second time must not depend on the first
+        yield {name: picture.rgb for name, picture in renderer.render(data, views).items()}
 
 
 @pytest.mark.parametrize("name", SOURCES)
