@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from sim.shapes.bushes import bush_mesh
 from sim.shapes.furniture import (
     advert_column,
     bench,
@@ -15,7 +16,7 @@ from sim.shapes.furniture import (
     sign_post,
     wheelie_bin,
 )
-from sim.shapes.vegetation import bush_mesh, tree_mesh
+from sim.shapes.trees import SPECIES, tree_mesh
 from sim.streets.placing import Thing
 
 
@@ -23,12 +24,10 @@ class Catalogue:
     """Shared models, so that a hundred trees are a handful of meshes."""
 
     def __init__(self, rng: np.random.Generator) -> None:
-        self.trees = [
-            Thing(tree_mesh(h, c, rng), "plants", (0.5, 0.5))
-            for h, c in ((6.2, 1.5), (7.4, 1.8), (5.4, 1.4), (8.2, 2.0))
-        ]
+        self.trees = [Thing(tree_mesh(kind, True, rng), "plants", (0.5, 0.5)) for kind in SPECIES]
         self.bushes = [
-            Thing(bush_mesh(r, rng), "plants", (2 * r * 0.8, 2 * r * 0.8)) for r in (0.5, 0.7, 0.9)
+            Thing(bush_mesh(r, kind, rng), "plants", (1.6 * r, 1.6 * r))
+            for r, kind in ((0.5, "lime"), (0.7, "hornbeam"), (0.9, "copper"))
         ]
         self.lamp = Thing(lamp_post(5.6), "furniture", (0.3, 0.3))
         self.bollard = Thing(bollard(), "furniture", (0.16, 0.16))

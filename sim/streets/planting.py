@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from sim.shapes.bushes import bush_mesh, hedge_mesh
 from sim.shapes.furniture import board_fence, garden_wall, picket_fence
 from sim.shapes.mesh import Mesh
-from sim.shapes.vegetation import bush_mesh, hedge_mesh
 from sim.streets.catalogue import Catalogue
 from sim.streets.houses import Lot
 from sim.streets.placing import Site, Thing
@@ -60,7 +60,7 @@ def plant_front_gardens(street: Site, lots: list[Lot], rng: np.random.Generator)
         for share in np.linspace(0.12, 0.88, max(2, round(width / 1.6))):
             s = lot.span_m[0] + share * (lot.span_m[1] - lot.span_m[0])
             radius = float(rng.uniform(0.4, 0.7))
-            thing = Thing(bush_mesh(radius, rng), "plants", (1.5 * radius, 1.5 * radius))
+            thing = Thing(bush_mesh(radius, "lime", rng), "plants", (1.5 * radius, 1.5 * radius))
             street.put(thing, s, lot.front_line_m + lot.side * rng.uniform(1.2, 1.9), rng.uniform(0, 6))
 
 
@@ -71,4 +71,4 @@ def _border(rng: np.random.Generator) -> tuple[Callable[[float, np.random.Genera
         return lambda n, r: picket_fence(n).moved((0.0, -n / 2, 0.0)), 0.1
     if kind == 1:
         return lambda n, r: garden_wall(n).moved((0.0, -n / 2, 0.0)), 0.26
-    return lambda n, r: hedge_mesh(n, 1.1, 0.5, r).moved(yaw_rad=np.pi / 2).moved((0.0, -n / 2, 0.0)), 0.6
+    return lambda n, r: hedge_mesh(n, 1.1, 0.5, "hornbeam", r), 0.6

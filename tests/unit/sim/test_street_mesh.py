@@ -5,7 +5,6 @@ import pytest
 
 from sim.shapes.mesh import Mesh, box, disc, merged, tube
 from sim.shapes.parked_cars import KINDS, CarKind, car, outline_m
-from sim.shapes.vegetation import bush_mesh
 from sim.streets.footprint import Ground, gap_m, rectangle_m
 
 
@@ -48,11 +47,6 @@ def test_a_parked_car_looks_outwards_on_its_wheels(kind: CarKind) -> None:
     length, width = outline_m(kind)
     np.testing.assert_allclose(highest[:2] - lowest[:2], [length, width], atol=0.05)
     assert lowest[2] == pytest.approx(0.0)
-
-
-def test_a_leaf_card_looks_out_of_its_crown() -> None:
-    mesh = bush_mesh(0.8, np.random.default_rng(0))
-    assert outward_share(mesh, np.array([0.0, 0.0, 0.3])) > 0.7
 
 
 def test_merging_keeps_every_triangle_where_it_was() -> None:
