@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
 
 from estimator.rig import Rig
 from estimator.se3 import SE3
-from sim.messages import TYPES, camera_info, extrinsics, image, odometry, serialize
+from sim.faults.fault import Fault
+from sim.frame import Frame
+from sim.messages import TYPES, camera_info, extrinsics, faults, image, odometry, serialize
+from sim.outbox import Outbox
 from sim.world import Snapshot, Truth
 
 _SAME_POSE = 1e-9  # rad and m: rounding, not movement
@@ -24,6 +27,8 @@ class BagWriter:
     def __init__(self, path: Path, rig: Rig) -> None:
         self._rig = rig
         self._sent: Mapping[str, SE3] = {}
+        self._told: tuple[Fault, ...] = ()
+        self._outbox: Outbox[tuple[str, bytes]] = Outbox(self._send)
         self._writer = Writer(path, version=9, storage_plugin=StoragePlugin.MCAP)
         self._writer.set_compression(CompressionMode.STORAGE, CompressionFormat.ZSTD)
         self._writer.open()
@@ -33,16 +38,24 @@ class BagWriter:
         }
 
     def write(self, snapshot: Snapshot) -> None:
-        """Append one bundle and its truth."""
-        stamp_ns = snapshot.bundle.stamp_ns
-        for name, pixels in snapshot.bundle.images.items():
-            self._send(f"/{name}/image_raw", stamp_ns, serialize(image(pixels, stamp_ns, name)))
-            info = camera_info(self._rig[name].camera, stamp_ns, name)
-            self._send(f"/{name}/camera_info", stamp_ns, serialize(info))
-        self._send("/truth/odometry", stamp_ns, serialize(odometry(snapshot.truth)))
-        if self._has_moved(snapshot.truth):
-            self._send("/truth/extrinsics", stamp_ns, serialize(extrinsics(snapshot.truth)))
-            self._sent = snapshot.truth.ego_from_cams
+        """Take in what was exposed at one instant; messages go into the bag as they arrive."""
+        truth = snapshot.truth
+        for frame in snapshot.frames:
+            self._post_frame(frame)
+        self._post("/truth/odometry", truth.stamp_ns, odometry(truth))
+        if self._has_moved(truth):
+            self._post("/truth/extrinsics", truth.stamp_ns, extrinsics(truth))
+            self._sent = truth.ego_from_cams
+        if snapshot.faults != self._told:
+            self._post("/truth/faults", truth.stamp_ns, faults(snapshot.faults, truth.stamp_ns))
+            self._told = snapshot.faults
+        self._outbox.deliver(until_ns=truth.stamp_ns)
+
+    def _post_frame(self, frame: Frame) -> None:
+        name, stamp_ns, arrival_ns = frame.camera, frame.stamp_ns, frame.arrival_ns
+        self._post(f"/{name}/image_raw", arrival_ns, image(frame.image, stamp_ns, name))
+        info = camera_info(self._rig[name].camera, stamp_ns, name)
+        self._post(f"/{name}/camera_info", arrival_ns, info)
 
     def _has_moved(self, truth: Truth) -> bool:
         return any(
@@ -50,8 +63,12 @@ class BagWriter:
             for name, pose in truth.ego_from_cams.items()
         )
 
-    def _send(self, topic: str, stamp_ns: int, message: bytes) -> None:
-        self._writer.write(self._connections[topic], stamp_ns, message)
+    def _post(self, topic: str, arrival_ns: int, message: Any) -> None:
+        self._outbox.post(arrival_ns, (topic, serialize(message)))
+
+    def _send(self, arrival_ns: int, addressed: tuple[str, bytes]) -> None:
+        topic, message = addressed
+        self._writer.write(self._connections[topic], arrival_ns, message)
 
     def __enter__(self) -> Self:
         return self
@@ -59,6 +76,8 @@ class BagWriter:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
+        if kind is None:
+            self._outbox.deliver()
         self._writer.__exit__(kind, error, trace)
 
 
@@ -68,3 +87,4 @@ def _topics(rig: Rig) -> Iterator[tuple[str, str]]:
         yield f"/{name}/camera_info", "sensor_msgs/msg/CameraInfo"
     yield "/truth/odometry", "nav_msgs/msg/Odometry"
     yield "/truth/extrinsics", "tf2_msgs/msg/TFMessage"
+    yield "/truth/faults", "diagnostic_msgs/msg/DiagnosticArray"

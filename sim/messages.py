@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,10 +12,12 @@ from rosbags.typesys import Stores, get_typestore
 from estimator.bundle import Image
 from estimator.camera import Camera, CameraModel
 from estimator.se3 import SE3
+from sim.faults.fault import Fault
 from sim.world import Truth
 
 TYPES = get_typestore(Stores.ROS2_HUMBLE)
 _T = TYPES.types
+_ERROR = _T["diagnostic_msgs/msg/DiagnosticStatus"].ERROR
 _INFO_MODEL: dict[CameraModel, str] = {
     "pinhole": "plumb_bob",
     "brown_conrady": "plumb_bob",
@@ -86,6 +90,24 @@ def extrinsics(truth: Truth) -> Any:
         for name, pose in truth.ego_from_cams.items()
     ]
     return _T["tf2_msgs/msg/TFMessage"](transforms)
+
+
+def faults(lasting: Sequence[Fault], stamp_ns: int) -> Any:
+    """Return the diagnostic_msgs/DiagnosticArray of all faults that are there, one entry each."""
+    states = [
+        _T["diagnostic_msgs/msg/DiagnosticStatus"](
+            level=_ERROR,
+            name=fault.kind,
+            message=f"{fault.kind}: {', '.join(fault.names)}",
+            hardware_id=",".join(fault.names),
+            values=[
+                _T["diagnostic_msgs/msg/KeyValue"](key, json.dumps(value))
+                for key, value in fault.model_dump(exclude={"kind", "camera"}).items()
+            ],
+        )
+        for fault in lasting
+    ]
+    return _T["diagnostic_msgs/msg/DiagnosticArray"](_header(stamp_ns, ""), states)
 
 
 def _header(stamp_ns: int, frame: str) -> Any:

@@ -10,6 +10,7 @@ import mujoco
 from estimator.camera import Camera
 from estimator.rig import Rig
 from estimator.se3 import Array
+from sim.faults.wrong_intrinsics import with_true_lenses
 from sim.light.sky import write_sky
 from sim.rendering.classic import write_visual_settings
 from sim.seeds import rng_for
@@ -47,7 +48,8 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
         write_sky(spec, config.weather)
 
     ego_from_cams = miscalibrate(nominal, config.miscalibration, seed)
-    return assemble_scene(write_scenery, street.centerline_m, nominal.with_extrinsics(ego_from_cams))
+    true_rig = with_true_lenses(nominal, config.faults).with_extrinsics(ego_from_cams)
+    return assemble_scene(write_scenery, street.centerline_m, true_rig)
 
 
 def assemble_scene(write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array, true_rig: Rig) -> Scene:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Generator
 
-from estimator.bundle import FrameBundle
 from estimator.rig import Rig
+from sim.faults.chain import FaultChain
 from sim.rendering.classic import ClassicRenderer
 from sim.scene import Scene, build_scene
 from sim.sensing.capture import CameraArray
@@ -27,6 +27,7 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
         rig: Nominal; the true extrinsics are off by the configured miscalibration.
         seed: Everything random follows from it.
     """
+    faults = FaultChain(config.faults, rig.cameras, seed)
     scene = build_scene(config, rig, seed)
     stage = Stage(scene, config.drive)
     cameras = CameraArray(scene.lenses, config.sensor, seed)
@@ -35,7 +36,8 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
             time_s = config.drive.time_s(index)
             images = cameras.take(stage, renderer, index, time_s)
             truth = read_truth(scene, stage, time_s)
-            yield Snapshot(FrameBundle(truth.stamp_ns, images), truth)
+            frames = faults.pass_on(Snapshot.taken(truth, images).frames, index, time_s)
+            yield Snapshot(truth, frames, faults.lasting(time_s))
 
 
 def read_truth(scene: Scene, stage: Stage, time_s: float) -> Truth:

@@ -6,11 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
-from estimator.bundle import FrameBundle
+from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.se3 import SE3, Array
+from sim.faults.fault import Fault, PassingFault
+from sim.faults.kinds import AnyFault
+from sim.frame import Frame
 from sim.light.weather import WeatherConfig
 from sim.sensing.sensor import SensorConfig
 from sim.streets.street import StreetConfig
@@ -28,6 +31,7 @@ class WorldConfig(Config):
     miscalibration: MiscalibrationConfig = MiscalibrationConfig()
     weather: WeatherConfig = WeatherConfig()
     sensor: SensorConfig = SensorConfig()
+    faults: list[AnyFault] = Field([])
     renderer: Literal["classic"] = "classic"
 
     @model_validator(mode="after")
@@ -38,6 +42,14 @@ class WorldConfig(Config):
                 f"street.length_m is {self.street.length_m:g}; "
                 f"drive.distance_m {self.drive.distance_m:g} needs at least {needed_m:g}"
             )
+        return self
+
+    @model_validator(mode="after")
+    def _faults_begin_while_the_car_drives(self) -> Self:
+        end_s = self.drive.time_s(self.drive.bundle_count - 1)
+        for index, fault in enumerate(self.faults):
+            if isinstance(fault, PassingFault) and fault.at_s > end_s:
+                raise ValueError(f"faults[{index}].at_s is {fault.at_s:g}; the drive ends at {end_s:g} s")
         return self
 
 
@@ -60,7 +72,28 @@ class Truth:
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
-    """A bundle and the truth that belongs to it; only the recorder sees both."""
+    """What the cameras delivered of one instant, and the truth of it; only the recorder sees both.
 
-    bundle: FrameBundle
+    Attributes:
+        truth: Exact, whatever became of the images.
+        frames: Images exposed at the truth's instant, with what they say of themselves; a camera may have
+            none, or several.
+        faults: What is wrong at this instant.
+    """
+
     truth: Truth
+    frames: tuple[Frame, ...]
+    faults: tuple[Fault, ...] = ()
+
+    @staticmethod
+    def taken(truth: Truth, images: Mapping[str, Image]) -> Snapshot:
+        """Return a snapshot whose images arrive at once, rightly stamped."""
+        stamp_ns = truth.stamp_ns
+        return Snapshot(
+            truth, tuple(Frame(name, stamp_ns, stamp_ns, image) for name, image in images.items())
+        )
+
+    @property
+    def bundle(self) -> FrameBundle:
+        """The images as one bundle of the true stamp; of a camera's several images the last one."""
+        return FrameBundle(self.truth.stamp_ns, {frame.camera: frame.image for frame in self.frames})

@@ -1,0 +1,58 @@
+"""What all faults share: which cameras they strike, and from when to when."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+from pydantic import Field
+
+from estimator.config import Config
+from sim.frame import Frame
+
+ALL = "all"
+CameraName = Annotated[str, Field(min_length=1)]
+
+
+class Fault(Config):
+    """Something wrong with the images of some cameras, all drive long."""
+
+    kind: str
+    camera: CameraName | Annotated[list[CameraName], Field(min_length=1)]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The cameras as written; ``("all",)`` for all."""
+        return (self.camera,) if isinstance(self.camera, str) else tuple(self.camera)
+
+    def strikes(self, camera: str) -> bool:
+        """Tell whether this camera's images suffer."""
+        return self.camera == ALL or camera in self.names
+
+    def lasts(self, time_s: float) -> bool:
+        """Tell whether the fault is there at an instant, counted from the drive's start."""
+        return True
+
+    def spoil(self, frame: Frame, sound: Frame, rng: np.random.Generator) -> tuple[Frame, ...]:
+        """Return what becomes of a frame: nothing, itself changed, or several.
+
+        Args:
+            frame: As it comes to this fault.
+            sound: The last frame of this camera before the fault began; ``frame`` if there was none.
+            rng: Seeded by fault, camera and frame.
+        """
+        raise NotImplementedError
+
+
+class PassingFault(Fault):
+    """A fault that begins at a time, and ends where ``duration_s`` is given.
+
+    It judges an image by the instant of its exposure, so whatever other faults did to its stamp makes no
+    difference.
+    """
+
+    at_s: float = Field(0.0, ge=0.0, le=3600.0)
+    duration_s: float | None = Field(None, gt=0.0, le=3600.0)
+
+    def lasts(self, time_s: float) -> bool:
+        return self.at_s <= time_s and (self.duration_s is None or time_s < self.at_s + self.duration_s)
