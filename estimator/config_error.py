@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Any, get_args
+from collections.abc import Sequence
 
 from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from estimator.config_path import follow
 
 _LONGEST = 60
 
@@ -15,13 +17,19 @@ def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
     details = error.errors(include_url=False)
     # an unknown key often explains the key that is missing, so it is told first
     first = next((each for each in details if each["type"] == "extra_forbidden"), details[0])
-    path = key_path(first["loc"])
+    location, _ = follow(model, first["loc"])
+    path = key_path(location)
     got = _shorten(first["input"])
     if first["type"] == "missing":
         return f"{path}: missing"
     if first["type"] == "extra_forbidden":
         keys = _keys_at(model, first["loc"][:-1])
         return f"{path}: unknown key" + (f"; there are: {', '.join(keys)}" if keys else "")
+    if first["type"] == "union_tag_not_found":
+        return f"{key_path([*location, _tag_key(first)])}: missing"
+    if first["type"] == "union_tag_invalid":
+        there = first["ctx"]["expected_tags"].replace("'", "")
+        return f"{key_path([*location, _tag_key(first)])}: got {first['ctx']['tag']!r}, wanted one of {there}"
     if first["type"] in ("model_type", "dict_type", "model_attributes_type"):
         return f"{path}: got {got}, wanted keys with values"
     if first["type"] in ("too_short", "too_long"):
@@ -50,23 +58,10 @@ def _shorten(value: object) -> str:
 
 def _keys_at(model: type[BaseModel], location: Sequence[int | str]) -> list[str]:
     """Return the fields of the model that lies at a location, or none where there is no single model."""
-    models: list[type[BaseModel]] = [model]
-    for part in location:
-        found: list[type[BaseModel]] = []
-        for each in models:
-            name = str(part)
-            field = each.model_fields.get(name)
-            if field is None:  # a key of a mapping or an index: the model was already found in the value type
-                found.append(each)
-            else:
-                found.extend(_models_in(field.annotation))
-        models = found
-    return sorted({name for each in models for name in each.model_fields}) if len(models) == 1 else []
+    _, kind = follow(model, location)
+    return sorted(kind.model_fields) if isinstance(kind, type) and issubclass(kind, BaseModel) else []
 
 
-def _models_in(annotation: Any) -> Iterator[type[BaseModel]]:
-    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-    else:
-        for argument in get_args(annotation):
-            yield from _models_in(argument)
+def _tag_key(error: ErrorDetails) -> str:
+    """Return the key whose value picks one of several models."""
+    return str(error["ctx"]["discriminator"]).strip("'")

@@ -11,11 +11,14 @@ from pydantic import ValidationError
 
 from estimator.config_error import describe_first_error
 from estimator.errors import InputError
+from estimator.rig import Rig
 from estimator.rig_file import read_rig
 from scenarios.bundled import find_file
 from scenarios.files import read_mapping
 from scenarios.overrides import merge, parse_overrides
 from scenarios.scenario import Scenario, ScenarioEntry
+from sim.faults.chain import check_cameras
+from sim.world import WorldConfig
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,17 @@ def load_scenario(reference: str, settings: Iterable[str] = ()) -> Scenario:
     entry = _validate(layers)
     rig_folder = next((layer.folder for layer in layers if "rig" in layer.keys), Path.cwd())
     rig = read_rig(find_file("rig", entry.rig, rig_folder))
-    return Scenario(path.stem, entry.about, rig, entry.world())
+    world = entry.world()
+    _check_cameras(world, rig, layers)
+    return Scenario(path.stem, entry.about, rig, world)
+
+
+def _check_cameras(world: WorldConfig, rig: Rig, layers: Sequence[Layer]) -> None:
+    """Refuse what names a camera that the rig does not have, before anything is built."""
+    try:
+        check_cameras(world.faults, rig.cameras)
+    except InputError as error:
+        raise InputError(f"{_source_of(str(error).partition(':')[0], layers)}: {error}") from None
 
 
 def _read_layers(path: Path) -> tuple[Layer, ...]:
@@ -88,12 +101,15 @@ def _validate(layers: Sequence[Layer]) -> ScenarioEntry:
 
 def _source_of(key: str, layers: Sequence[Layer]) -> str:
     """Name the topmost layer that sets a dotted key; a key that nobody set is the file's to give."""
+    parts = [part.partition("[")[0] for part in key.split(".")]
     for layer in layers:
         value: Any = layer.keys
-        for part in key.split("."):
+        for part in parts:
             if not isinstance(value, Mapping) or part not in value:
                 break
             value = value[part]
+            if isinstance(value, list):  # what is in a list comes from whoever gave the list
+                return layer.source
         else:
             return layer.source
     return layers[1].source

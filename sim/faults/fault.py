@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 import numpy as np
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from estimator.config import Config
 from sim.frame import Frame
 
 ALL = "all"
-CameraName = Annotated[str, Field(min_length=1)]
 
 
 class Fault(Config):
     """Something wrong with the images of some cameras, all drive long."""
 
     kind: str
-    camera: CameraName | Annotated[list[CameraName], Field(min_length=1)]
+    camera: str | list[str]
+
+    @field_validator("camera", mode="before")
+    @classmethod
+    def _is_a_name_or_several(cls, value: object) -> object:
+        names = value if isinstance(value, list) else [value]
+        if not names or not all(isinstance(name, str) and name for name in names):
+            raise ValueError(f"got {value!r}, wanted the name of a camera, a list of names, or all")
+        return value
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field, field_validator
 
-from sim.faults.fault import ALL, CameraName, PassingFault
+from sim.faults.fault import ALL, PassingFault
 from sim.frame import Frame
 
 _NS_PER_MS = 1_000_000
@@ -61,7 +61,7 @@ class Swapped(PassingFault):
     """Two cameras are plugged into each other's socket."""
 
     kind: Literal["swapped"]
-    camera: Annotated[list[CameraName], Field(min_length=2, max_length=2)]
+    camera: Annotated[list[str], Field(min_length=2, max_length=2)]
 
     @field_validator("camera")
     @classmethod
