@@ -11,7 +11,7 @@ from estimator.camera import Camera
 from estimator.rig import Rig
 from estimator.se3 import Array
 from sim.faults.wrong_intrinsics import with_true_lenses
-from sim.light.sky import write_sky
+from sim.light.outdoors import write_outdoors
 from sim.rendering.classic import write_visual_settings
 from sim.seeds import rng_for
 from sim.sensing.lens import Lens, make_lens
@@ -45,7 +45,7 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
 
     def write_scenery(spec: mujoco.MjSpec) -> None:
         street.write_into(spec)
-        write_sky(spec, config.weather)
+        write_outdoors(spec, config.weather, seed)
 
     ego_from_cams = miscalibrate(nominal, config.miscalibration, seed)
     true_rig = with_true_lenses(nominal, config.faults).with_extrinsics(ego_from_cams)

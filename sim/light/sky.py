@@ -1,87 +1,113 @@
-"""Light: a sun with shadows, the blue and grey light of the sky, and the sky itself."""
+"""The sky: haze, blue, clouds, the sun's disc and its aureole, dusk's glow, and a town's glow at night."""
 
 from __future__ import annotations
 
+import cv2
 import mujoco
 import numpy as np
-from numpy.typing import ArrayLike
 
 from estimator.se3 import Array
-from sim.light.weather import WeatherConfig
+from sim.light.channels import stored_glow
+from sim.light.daylight import Daylight
 from sim.paint.noise import fractal, smoothstep
 
-_SUN_DISTANCE_M = 150.0
-_SKY_SEED = 11
+SUN_RADIUS_DEG = 0.35  # as a lens and a little haze show it
+_FACE_PX = 512
+_HAZE, _ZENITH = np.array([238.0, 239.0, 240.0]), np.array([128.0, 164.0, 210.0])
+_CLOUD, _GREY_HIGH, _GREY_LOW = 246.0, 214.0, 246.0
+_TOWN_GLOW, _NIGHT_ZENITH = 1.6, 0.25  # levels of a clear night over a town
 
 
-def write_sky(spec: mujoco.MjSpec, weather: WeatherConfig) -> None:
-    """Add sun, fill light and skybox."""
-    up = _direction(weather.sun_elevation_deg, weather.sun_azimuth_deg)
-    spec.visual.headlight.active = 1
-    spec.visual.headlight.ambient = [0.41, 0.42, 0.44]
-    spec.visual.headlight.diffuse = [0.0, 0.0, 0.0]
-    spec.visual.headlight.specular = [0.0, 0.0, 0.0]
-    _add_light(spec, "sun", _SUN_DISTANCE_M * up, -up, (1.22, 1.17, 1.07), True)
-    _add_light(spec, "sky_above", (0, 0, 50), (0, 0, -1), (0.14, 0.15, 0.17), False)
-    away = np.array([-up[0], -up[1], 0.35])
-    _add_light(spec, "sky_opposite", (0, 0, 50), -away / np.linalg.norm(away), (0.31, 0.32, 0.34), False)
-    faces = _sky_faces()
+def write_sky(
+    spec: mujoco.MjSpec, daylight: Daylight, night: float, in_channels: bool, rng: np.random.Generator
+) -> None:
+    """Add the skybox.
+
+    Args:
+        spec: The world.
+        daylight: What is up there.
+        night: How far the night has come, 0 to 1.
+        in_channels: Whether to store it as ``sim.light.channels`` does.
+        rng: Draws the clouds.
+    """
+    clouds = fractal(rng, (_FACE_PX, 2 * _FACE_PX), (_FACE_PX / 5, _FACE_PX / 3), 7, 0.55)
+    rays = sky_rays(_FACE_PX)
+    faces = sky_colors(rays, daylight, clouds)
+    if in_channels:
+        grey = faces @ np.array([0.299, 0.587, 0.114])
+        glow = stored_glow(night_glow(rays, clouds) * night)
+        faces = np.stack([grey, glow, np.zeros_like(grey)], axis=-1)
     texture = spec.add_texture(
         name="sky",
         type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
-        width=faces.shape[1],
-        height=faces.shape[0],
+        width=_FACE_PX,
+        height=6 * _FACE_PX,
         nchannel=3,
     )
-    texture.data = faces.tobytes()
+    texture.data = np.rint(np.clip(faces, 0, 255)).astype(np.uint8).tobytes()
 
 
-def _direction(elevation_deg: float, azimuth_deg: float) -> Array:
-    elevation, azimuth = np.deg2rad([elevation_deg, azimuth_deg])
-    return np.array(
-        [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
-    )
+def sky_rays(size: int) -> Array:
+    """Return the (6 size, size, 3) unit world directions of a skybox's texels.
 
-
-def _add_light(
-    spec: mujoco.MjSpec, name: str, pos: ArrayLike, toward: ArrayLike, diffuse: ArrayLike, shadow: bool
-) -> None:
-    spec.worldbody.add_light(
-        name=name,
-        type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
-        pos=pos,
-        dir=toward,
-        diffuse=diffuse,
-        ambient=[0.0, 0.0, 0.0],
-        specular=[0.3, 0.3, 0.3] if shadow else [0.0, 0.0, 0.0],
-        castshadow=shadow,
-    )
-
-
-def _sky_faces(size: int = 512) -> Array:
-    """Return faces right, left, up, down, front, back, one above the other; (6 size, size, 3) uint8."""
-    rng = np.random.default_rng(_SKY_SEED)
-    noise = fractal(rng, (size, 2 * size), (size / 5, size / 3), 7, 0.55)
-    u, v = np.meshgrid((np.arange(size) + 0.5) / size * 2 - 1, (np.arange(size) + 0.5) / size * 2 - 1)
+    Its faces are right, left, up, down, front, back of a cube in OpenGL's frame, one above the other. What is
+    x, y, z there is x, z, -y in the world: found by rendering, and held by a test.
+    """
+    steps = (np.arange(size) + 0.5) / size * 2 - 1
+    u, v = np.meshgrid(steps, steps)
     one = np.ones_like(u)
-    # Cube-map directions in GL's own frame, in which the sky's up is +y.
-    rays = [(one, -v, -u), (-one, -v, u), (u, one, v), (u, -one, -v), (u, -v, one), (-u, -v, -one)]
-    faces = []
-    for x, y, z in rays:
-        norm = np.sqrt(x * x + y * y + z * z)
-        faces.append(_sky_color(np.stack([x, y, z], axis=-1) / norm[..., None], noise))
-    return np.vstack(faces)
+    cube = [(one, -v, -u), (-one, -v, u), (u, one, v), (u, -one, -v), (u, -v, one), (-u, -v, -one)]
+    rays = np.vstack([np.stack([x, -z, y], axis=-1) for x, y, z in cube])
+    return np.asarray(rays / np.linalg.norm(rays, axis=-1, keepdims=True))
 
 
-def _sky_color(ray: Array, noise: Array) -> Array:
-    """Haze at the horizon, blue above, clouds on a flat ceiling."""
-    rise = np.clip(ray[..., 1], 0.0, 1.0)[..., None]
-    haze, zenith = np.array([238.0, 239.0, 240.0]), np.array([128.0, 164.0, 210.0])
-    color = haze + (zenith - haze) * rise**0.55
-    height = np.maximum(ray[..., 1], 0.05)
-    px = ((ray[..., 0] / height * 0.05 + 0.5) % 1.0) * (noise.shape[1] - 1)
-    py = ((ray[..., 2] / height * 0.1 + 0.5) % 1.0) * (noise.shape[0] - 1)
-    cloud = smoothstep(0.0, 1.2, noise[py.astype(int), px.astype(int)]) * smoothstep(0.04, 0.2, ray[..., 1])
-    color += (np.array([246.0, 246.0, 246.0]) - color) * 0.85 * cloud[..., None]
-    result: Array = np.clip(color, 0, 255).astype(np.uint8)
-    return result
+def sky_colors(rays: Array, daylight: Daylight, clouds: Array) -> Array:
+    """Return the sky's colours, in levels before ``daylight.level`` dims them.
+
+    Args:
+        rays: (..., 3) unit world directions.
+        daylight: Sun, clouds, dusk.
+        clouds: (H, W) noise of unit deviation, the ceiling of clouds.
+    """
+    rise = np.clip(rays[..., 2], 0.0, 1.0)[..., None]
+    noise = _on_ceiling(rays, clouds)
+    above_haze = smoothstep(0.04, 0.2, rays[..., 2])
+    to_sun_deg = np.degrees(np.arccos(np.clip(rays @ daylight.toward_sun, -1.0, 1.0)))[..., None]
+    clear = _HAZE + (_ZENITH - _HAZE) * rise**0.55
+    clear = clear + 14.0 * np.exp(-to_sun_deg / 8.0) * daylight.sun
+    cover = 0.85 * (smoothstep(0.0, 1.2, noise) * above_haze)[..., None]
+    clear = clear + (_CLOUD - clear) * cover
+    clear = clear + daylight.dusk * (_dusk(rays, rise, daylight, cover) - clear)
+    grey = _GREY_LOW + (_GREY_HIGH - _GREY_LOW) * rise + 7.0 * (noise * above_haze)[..., None]
+    color = clear + daylight.grey**0.7 * (grey - clear)
+    disc = smoothstep(SUN_RADIUS_DEG + 0.1, SUN_RADIUS_DEG - 0.1, to_sun_deg) + 0.6 * np.exp(
+        -to_sun_deg / 1.2
+    )
+    return np.asarray(color + (255.0 - color) * np.minimum(1.0, disc * min(1.0, 3.0 * daylight.sun)))
+
+
+def night_glow(rays: Array, clouds: Array) -> Array:
+    """Return the level of a town's glow, on haze and clouds, by direction."""
+    low = np.exp(-np.clip(rays[..., 2], 0.0, 1.0) / 0.22)
+    patches = 1.0 + 0.5 * smoothstep(0.0, 1.5, _on_ceiling(rays, clouds))
+    return np.asarray((_NIGHT_ZENITH + (_TOWN_GLOW - _NIGHT_ZENITH) * low) * patches)
+
+
+def _dusk(rays: Array, rise: Array, daylight: Daylight, cover: Array) -> Array:
+    """Bright where the sun went down, dark overhead and opposite, with clouds against the light."""
+    flat = np.linalg.norm(daylight.toward_sun[:2]) + 1e-9
+    toward = (rays[..., :2] @ daylight.toward_sun[:2] / flat)[..., None]
+    west = np.exp(2.0 * (toward - 1.0))
+    horizon = 95.0 + 160.0 * west
+    bare = 60.0 + (horizon - 60.0) * np.exp(-rise / (0.16 + 0.3 * west))
+    return np.asarray(bare * (1.0 - 0.45 * cover) * [1.0, 0.97, 1.03])
+
+
+def _on_ceiling(rays: Array, clouds: Array) -> Array:
+    """Read noise off a flat ceiling above; mirrored, so that it has no seam."""
+    height = np.maximum(rays[..., 2], 0.05)
+    across = 1.0 - np.abs((rays[..., 0] / height * 0.05 + 0.5) % 2.0 - 1.0)
+    along = 1.0 - np.abs((rays[..., 1] / height * 0.1 + 0.5) % 2.0 - 1.0)
+    columns = (across * (clouds.shape[1] - 1)).astype(np.float32)
+    rows = (along * (clouds.shape[0] - 1)).astype(np.float32)
+    return np.asarray(cv2.remap(clouds.astype(np.float32), columns, rows, cv2.INTER_LINEAR))
