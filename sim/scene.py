@@ -12,7 +12,7 @@ from estimator.rig import Rig
 from estimator.se3 import Array
 from sim.faults.wrong_intrinsics import with_true_lenses
 from sim.light.outdoors import write_outdoors
-from sim.rendering.classic import write_visual_settings
+from sim.rendering.quality import write_visual_settings
 from sim.seeds import rng_for
 from sim.sensing.lens import Lens, make_lens
 from sim.streets.street import build_street

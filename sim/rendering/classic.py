@@ -19,23 +19,9 @@ from sim.rendering.shadow_map import SharedShadowMap
 from sim.rendering.view import FAR_M, NEAR_M, DepthImage, Picture, View
 from sim.vehicle.car import HIDDEN_GROUP
 
-MULTISAMPLES = 4
-SHADOW_MAP_PX = 4096
-SHADOW_RADIUS_M = 60.0  # of what the sun's shadow map covers
 SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0
 _MOST_GEOMS = 20_000
-
-
-def write_visual_settings(spec: mujoco.MjSpec, largest_px: tuple[int, int]) -> None:
-    """Fix clip planes, buffer size and sampling; call once on the spec before it is compiled."""
-    spec.stat.extent = 1.0  # MuJoCo scales the clip planes by this, which else follows the scene
-    spec.visual.map.znear = NEAR_M
-    spec.visual.map.zfar = FAR_M
-    spec.visual.map.shadowclip = SHADOW_RADIUS_M
-    spec.visual.quality.shadowsize = SHADOW_MAP_PX
-    spec.visual.quality.offsamples = MULTISAMPLES
-    spec.visual.global_.offwidth, spec.visual.global_.offheight = largest_px
 
 
 class ClassicRenderer:

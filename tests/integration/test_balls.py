@@ -16,7 +16,8 @@ from estimator.bundle import Image
 from estimator.camera import Camera
 from estimator.rig_file import read_rig
 from estimator.se3 import SE3, Array
-from sim.rendering.classic import ClassicRenderer, write_visual_settings
+from sim.rendering.classic import ClassicRenderer
+from sim.rendering.quality import write_visual_settings
 from sim.rendering.view import View
 from sim.scene import assemble_scene, physics_spec
 from sim.sensing.capture import CameraArray, grey

@@ -10,7 +10,8 @@ import pytest
 
 from estimator.camera import Camera
 from estimator.se3 import SE3
-from sim.rendering.classic import SUN_DISTANCE_M, ClassicRenderer, write_visual_settings
+from sim.rendering.classic import SUN_DISTANCE_M, ClassicRenderer
+from sim.rendering.quality import write_visual_settings
 from sim.rendering.view import View
 from sim.scene import physics_spec
 from sim.vehicle.cameras import write_cameras
