@@ -1,0 +1,182 @@
+"""The road network of a street: everything that can be known of it before anything is built or painted.
+
+Traffic keeps right. Roads and kerbs carry street coordinates; ``sim.streets.relief`` carries heights.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from shapely.geometry import MultiPolygon, Polygon
+
+from estimator.se3 import Array
+from sim.streets.kerb import KerbLine
+from sim.streets.path import Path
+from sim.streets.relief import Relief
+from sim.streets.road import Road
+
+CURB_WALK_M = 1.3  # from the kerb, where people walk
+BIKE_M = 0.8  # from the kerb, where bicycles ride
+
+
+@dataclass(frozen=True, eq=False)
+class Lane:
+    """Where traffic of one kind moves.
+
+    Attributes:
+        kind: What moves in it.
+        path: Its centre in the direction of travel, through junctions; closed where the road is.
+        speed_mps: What is driven there when nothing is in the way.
+        gives_way_m: s of the line at which it gives way to what crosses, or None.
+        is_route: Whether the simulated car drives in it.
+    """
+
+    kind: Literal["car", "bike", "foot"]
+    path: Path
+    speed_mps: float
+    gives_way_m: float | None = None
+    is_route: bool = False
+
+    @property
+    def closed(self) -> bool:
+        return self.path.closed
+
+
+@dataclass(frozen=True, eq=False)
+class Junction:
+    """A place where a road opens into another one.
+
+    Attributes:
+        outline: The surface that belongs to neither road's plain strip.
+        yaw_rad: Heading of the road that goes through, along which the surface is painted.
+        wear: As of the roads.
+    """
+
+    outline: Polygon
+    yaw_rad: float
+    wear: float
+
+
+@dataclass(frozen=True)
+class Bay:
+    """A parking place on the carriageway.
+
+    Attributes:
+        center_m: World xy of its middle.
+        yaw_rad: Heading of a car parked in it.
+        is_across: Whether it stands across the aisle rather than along the kerb.
+    """
+
+    center_m: tuple[float, float]
+    yaw_rad: float
+    is_across: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Tunnel:
+    """A covered stretch of a road.
+
+    Attributes:
+        road: Name of the road.
+        span_m: Interval of s that is covered.
+        height_m: From the carriageway to the ceiling.
+        outline: What is covered, in world xy.
+    """
+
+    road: str
+    span_m: tuple[float, float]
+    height_m: float
+    outline: Polygon
+
+
+@dataclass(frozen=True, eq=False)
+class Network:
+    """A whole plan.
+
+    Attributes:
+        roads: Every carriageway.
+        junctions: The surfaces between their plain strips.
+        kerbs: Along the edges; see ``KerbLine``.
+        lanes: Where traffic moves.
+        bays: Where cars may park.
+        route: Centre of the lane the car drives: through the origin along +x at s = 0; starts before, and ends
+            beyond, or is closed.
+        carriageway: All that is driven on.
+        relief: Heights.
+        tunnels: Covered stretches.
+    """
+
+    roads: tuple[Road, ...]
+    junctions: tuple[Junction, ...]
+    kerbs: tuple[KerbLine, ...]
+    lanes: tuple[Lane, ...]
+    bays: tuple[Bay, ...]
+    route: Path
+    carriageway: MultiPolygon
+    relief: Relief
+    tunnels: tuple[Tunnel, ...] = ()
+
+    def road(self, name: str) -> Road:
+        """Return the road of a name."""
+        return next(road for road in self.roads if road.name == name)
+
+
+def driven_line_m(route: Path, length_m: float) -> Array:
+    """(N, 2) centre of the driven lane from the origin on, somewhat longer than the street, 0.25 m apart.
+
+    A closed route gives one lap whose last point is its first.
+    """
+    if route.closed:
+        return route.point_m(np.linspace(0.0, route.length_m, round(route.length_m / 0.25) + 1))
+    return route.point_m(np.arange(0.0, min(length_m + 20.0, route.end_m), 0.25))
+
+
+def foot_lanes(kerbs: Sequence[KerbLine]) -> list[Lane]:
+    """People walk both ways on every pavement that has room for them."""
+    lanes = []
+    for kerb in kerbs:
+        if kerb.lining in ("houses", "bare") and kerb.pavement_m > 1.8:
+            for d, backwards in ((CURB_WALK_M, False), (min(2.0, kerb.pavement_m - 0.4), True)):
+                lanes.append(Lane("foot", kerb.path.offset(d, backwards=backwards), 1.4))
+    return lanes
+
+
+def bike_lanes(road: Road, speed_mps: float = 4.5) -> list[Lane]:
+    """Bicycles keep to the right of the outermost lane of each direction."""
+    lanes = []
+    for forward in (True, False):
+        strips = [strip for strip in road.strips if strip.forward == forward]
+        if strips:
+            side = -1 if forward else 1
+            outer = max(strips, key=lambda strip: side * strip.d_m)
+            d = outer.d_m + side * (outer.width_m / 2 - BIKE_M)
+            lanes.append(Lane("bike", road.path.offset(d, backwards=not forward), speed_mps))
+    return lanes
+
+
+def car_lanes(road: Road, speed_mps: float, route_d_m: float | None = None) -> list[Lane]:
+    """One lane a strip, from end to end of the road's path; ``route_d_m`` marks the driven one."""
+    return [
+        Lane(
+            "car",
+            road.path.offset(strip.d_m, backwards=not strip.forward),
+            speed_mps,
+            is_route=strip.forward and route_d_m is not None and abs(strip.d_m - route_d_m) < 1e-6,
+        )
+        for strip in road.strips
+    ]
+
+
+def road_bays(road: Road) -> list[Bay]:
+    """The bays along the kerbs of a road; cars point along their side's traffic."""
+    bays = []
+    for side in road.parking:
+        for s in road.bays_m(side):
+            middle = s + 2.8
+            x, y = road.path.point_m(middle, road.edge_m(side) - side * 1.08)
+            yaw = float(road.path.heading_rad(middle)) + (np.pi if side > 0 else 0.0)
+            bays.append(Bay((float(x), float(y)), yaw))
+    return bays
