@@ -10,35 +10,28 @@ from sim.paint.canvas import Canvas, RgbImage
 from sim.paint.noise import crooked_line, fractal, smoothstep
 from sim.paint.openings import PAINTERS
 from sim.paint.paving import lay_setts
-from sim.shapes.facade import Facade, Panel
-from sim.shapes.facade_mesh import GABLE_M, atlas_width_m
+from sim.shapes.facade import FLANK_M, Facade, Panel
+from sim.shapes.house_mesh import atlas_width_m
+from sim.shapes.roof import DORMER_M, DORMER_WIDTH_M, WALL_M
+
+WallPainter = Callable[[Canvas, Facade, np.random.Generator], None]
 
 
 def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> RgbImage:
-    """Front, gable and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
+    """Front, flank and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
     canvas = Canvas(atlas_width_m(facade), facade.height_m, (texel_m, texel_m), facade.wall_color)
     _WALLS[facade.wall](canvas, facade, rng)
-    _age(canvas, facade, rng)
-    for panel in (*facade.panels, *_gable_windows(facade)):
+    if facade.wall != "render":
+        _age(canvas, facade, rng)
+    flank = [panel.shifted(facade.width_m) for panel in facade.flank]
+    for panel in (*facade.panels, *flank):
         _cast_shade(canvas, facade, panel)
         PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
-    _scribble(canvas, facade, rng)
-    _tile_roof(canvas, facade, rng)
+    if facade.wall != "render":
+        _scribble(canvas, facade, rng)
+    _roof(canvas, facade, rng)
     canvas.shade(0.02 * fractal(rng, canvas.shape, canvas.cells(0.3), 2, 0.7))
     return canvas.image()
-
-
-def _gable_windows(facade: Facade) -> list[Panel]:
-    """Plain windows on the side wall of a corner house; painted only."""
-    if not facade.corner:
-        return []
-    windows = []
-    for z in np.arange(1.2, facade.height_m - 2.2, 2.9):
-        for x in (0.7, 2.9):
-            left = facade.width_m + x
-            windows.append(Panel(left - 0.1, left + 1.2, z - 0.1, z + 1.6, 0.04, "trim"))
-            windows.append(Panel(left, left + 1.1, z, z + 1.5, 0.0, "window"))
-    return windows
 
 
 def _flipped(facade: Facade, panel: Panel) -> Panel:
@@ -48,18 +41,22 @@ def _flipped(facade: Facade, panel: Panel) -> Panel:
     )
 
 
-def _brick(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
-    color = np.array(facade.wall_color)
-    lay_setts(
-        canvas, 0, 0, facade.width_m + GABLE_M, facade.height_m, (0.25, 0.085), float(color.mean()), rng
-    )
-    canvas.pixels *= (color / color.mean()).astype(np.float32)
+def _courses(stone_m: tuple[float, float], tone: float) -> WallPainter:
+    """Rows of stones, bricks or boards in the wall's colour."""
+
+    def paint(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+        color = np.array(facade.wall_color)
+        width = atlas_width_m(facade)
+        lay_setts(canvas, 0, 0, width, facade.height_m, stone_m, float(color.mean()) * tone, rng)
+        canvas.pixels *= (color / color.mean()).astype(np.float32)
+
+    return paint
 
 
 def _plaster(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     canvas.shade(0.03 * fractal(rng, canvas.shape, canvas.cells(0.25), 4, 0.8))
     for _ in range(round(facade.width_m * facade.height_m / 14)):
-        x, y = rng.uniform(0, facade.width_m + GABLE_M), facade.height_m - abs(rng.normal(0, 2.0))
+        x, y = rng.uniform(0, facade.width_m + FLANK_M), facade.height_m - abs(rng.normal(0, 2.0))
         outline = rng.uniform(0.2, 0.7) * (1 + 0.35 * rng.standard_normal((14, 1)))
         angles = np.linspace(0, 2 * np.pi, 14, endpoint=False)
         shape = np.stack([np.cos(angles) * 1.4, np.sin(angles)], 1) * outline + [x, y]
@@ -67,25 +64,18 @@ def _plaster(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
         canvas.fill(shape, (tone, tone * 0.94, tone * 0.86), 0.75)
 
 
-def _ashlar(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
-    color = np.array(facade.wall_color)
-    lay_setts(
-        canvas, 0, 0, facade.width_m + GABLE_M, facade.height_m, (0.62, 0.31), float(color.mean()) * 0.95, rng
-    )
-    canvas.pixels *= (color / color.mean()).astype(np.float32)
+def _render(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    """Smooth and clean: faint clouds and a darker foot are all that can be seen."""
+    canvas.shade(0.02 * fractal(rng, canvas.shape, canvas.cells(2.5), 3, 0.5))
+    canvas.rect(0, facade.height_m - 0.3, atlas_width_m(facade), facade.height_m, (118, 116, 112))
 
 
-def _boards(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
-    color = np.array(facade.wall_color)
-    lay_setts(canvas, 0, 0, facade.width_m + GABLE_M, facade.height_m, (2.6, 0.16), float(color.mean()), rng)
-    canvas.pixels *= (color / color.mean()).astype(np.float32)
-
-
-_WALLS: dict[str, Callable[[Canvas, Facade, np.random.Generator], None]] = {
-    "brick": _brick,
+_WALLS: dict[str, WallPainter] = {
+    "brick": _courses((0.25, 0.085), 1.0),
     "plaster": _plaster,
-    "ashlar": _ashlar,
-    "boards": _boards,
+    "ashlar": _courses((0.62, 0.31), 0.95),
+    "boards": _courses((2.6, 0.16), 1.0),
+    "render": _render,
 }
 
 
@@ -98,7 +88,7 @@ def _age(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     foot = smoothstep(0.9, 0.0, height + 0.25 * blotches)
     canvas.shade(0.075 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
     for _ in range(int(rng.integers(2, 6))):
-        start = np.array([rng.uniform(0, facade.width_m + GABLE_M), rng.uniform(0, facade.height_m)])
+        start = np.array([rng.uniform(0, facade.width_m + FLANK_M), rng.uniform(0, facade.height_m)])
         line = crooked_line(rng, start, rng.uniform(0.9, 2.2), rng.uniform(0.5, 2.5), 0.5)
         canvas.stroke(line, 0.02, (60, 56, 50), 0.8)
 
@@ -116,7 +106,7 @@ def _cast_shade(canvas: Canvas, facade: Facade, panel: Panel) -> None:
 def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     """Sprayed tags, posters, a house number: what gathers on walls within reach."""
     for _ in range(rng.poisson(facade.width_m / 6.0)):
-        x, y = rng.uniform(0.2, facade.width_m + GABLE_M - 1), facade.height_m - rng.uniform(0.7, 1.9)
+        x, y = rng.uniform(0.2, facade.width_m + FLANK_M - 1), facade.height_m - rng.uniform(0.7, 1.9)
         if rng.random() < 0.5:
             count = int(rng.integers(6, 12))
             wave = np.stack(
@@ -141,7 +131,18 @@ def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     canvas.text(str(rng.integers(1, 99)), rng.uniform(0.3, 0.8), facade.height_m - 2.0, 0.18, (240, 240, 236))
 
 
-def _tile_roof(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
-    x0, x1 = facade.width_m + GABLE_M, atlas_width_m(facade)
-    tone = rng.uniform(70, 120)
-    lay_setts(canvas, x0, 0, x1, facade.height_m, (0.24, 0.3), tone, rng)
+def _roof(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
+    """Tiles above, plain wall below them, and the front of a dormer at the foot of the last column."""
+    x0, x1, height = facade.width_m + FLANK_M, atlas_width_m(facade), facade.height_m
+    eaves = height - DORMER_M - WALL_M
+    tone = rng.uniform(62, 108)
+    lay_setts(canvas, x0, 0, x1, eaves, (0.26, 0.32), tone, rng)
+    red = np.array([1.18, 0.9, 0.76]) if rng.random() < 0.6 else np.array([0.96, 1.0, 1.04])
+    column = canvas.pixels[: round(eaves / canvas.texel_m[1]), round(x0 / canvas.texel_m[0]) :]
+    moss = fractal(rng, column.shape[:2], canvas.cells(1.1), 4, 0.7)
+    column *= (red * (1.0 + 0.1 * moss[..., None])).astype(np.float32)
+    front = Panel(
+        x0 + 0.25, x0 + DORMER_WIDTH_M - 0.25, height - DORMER_M + 0.3, height - 0.35, 0.0, "window"
+    )
+    canvas.rect(x0, height - DORMER_M, x0 + DORMER_WIDTH_M, height, facade.trim_color)
+    PAINTERS["window"](canvas, facade, front, rng)

@@ -1,19 +1,22 @@
-"""A facade as a value: a wall, its colours, and panels that stand out of or back from it.
+"""A house as a value: its walls, its colours, its roof, and panels that stand out of or back from the walls.
 
-Facade coordinates: x from the left corner as seen from the street, z up from the pavement, depth towards the
-street. Later panels lie over earlier ones.
+Wall coordinates: x from the left corner as seen from outside, z up from the pavement, depth outwards.
+Later panels lie over earlier ones.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 Rgb = tuple[float, float, float]
+RoofKind = Literal["gable", "hip", "flat"]
+FLANK_M = 6.0  # width of the side wall in the texture; it is stretched over the depth of the house
 
 
 @dataclass(frozen=True)
 class Panel:
-    """An upright rectangle of the facade at one depth.
+    """An upright rectangle of a wall at one depth.
 
     Attributes:
         x0, x1, z0, z1: Its edges in metres.
@@ -28,17 +31,48 @@ class Panel:
     depth_m: float
     kind: str
 
+    def shifted(self, x_m: float) -> Panel:
+        """The same panel further right."""
+        return Panel(self.x0 + x_m, self.x1 + x_m, self.z0, self.z1, self.depth_m, self.kind)
+
+
+@dataclass(frozen=True)
+class Roof:
+    """A roof over the whole house.
+
+    Attributes:
+        kind: Ridge along the street with gables or hips at its ends, or flat.
+        ridge_m: Height of the ridge above the eaves.
+        chimneys: Where along the ridge chimneys stand, as shares of the width.
+        dormers: Where dormers look out of the front, as shares of the width.
+    """
+
+    kind: RoofKind
+    ridge_m: float
+    chimneys: tuple[float, ...] = ()
+    dormers: tuple[float, ...] = ()
+
 
 @dataclass(frozen=True)
 class Facade:
-    """Everything a builder and a painter need to know of a house front."""
+    """Everything a builder and a painter need to know of a house.
+
+    Attributes:
+        width_m, height_m: Of the front, up to the eaves.
+        wall: Material: brick, plaster, ashlar, boards or render (smooth and clean).
+        muntins: Bars across a window.
+        panels: On the front.
+        flank: On each side wall, which is ``FLANK_M`` wide.
+        roof: What covers it.
+    """
 
     width_m: float
     height_m: float
-    wall: str  # brick | plaster | ashlar | boards
+    wall: str
     wall_color: Rgb
     trim_color: Rgb
     accent_color: Rgb
     muntins: int
-    corner: bool
     panels: tuple[Panel, ...] = field(default=())
+    flank: tuple[Panel, ...] = field(default=())
+    roof: Roof = Roof("flat", 0.05)

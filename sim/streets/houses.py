@@ -9,8 +9,8 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.paint.facade import paint_facade
-from sim.shapes.facade_mesh import house_mesh
 from sim.shapes.facade_plan import draw_facade
+from sim.shapes.house_mesh import house_mesh
 from sim.streets.layout import KERB_M, Layout
 from sim.streets.path import Path
 from sim.streets.scenery import NOTHING, Prop, Scenery, Skin
@@ -144,12 +144,13 @@ def build_houses(layout: Layout, lots: list[Lot], rng: np.random.Generator) -> S
 
 
 def _house(name: str, lot: Lot, detail: Detail, rng: np.random.Generator) -> Scenery:
+    corner = lot.use == "corner"
     facade = draw_facade(
         float(np.linalg.norm(lot.front_m[1] - lot.front_m[0])),
         rng,
         shops=lot.setback_m < 1.0,
-        corner=lot.use == "corner",
+        corner=corner,
     )
-    mesh = house_mesh(facade, lot.front_m, lot.back_m, float(rng.choice([0.05, 1.8, 2.6])), detail.relief_m)
+    mesh = house_mesh(facade, lot.front_m, lot.back_m, detail.relief_m, (corner, corner))
     prop = Prop(name, mesh, name, (0.0, 0.0, KERB_M), footprint_m=lot.outline_m)
     return Scenery((prop,), {name: Skin(paint_facade(facade, detail.texel_m, rng))})
