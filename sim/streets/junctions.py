@@ -1,4 +1,4 @@
-"""Joining roads: where one opens into another, what of the surface belongs to neither, where one crosses on foot."""
+"""Joining roads: where one opens into another, what of the surface belongs to neither, where one crosses."""
 
 from __future__ import annotations
 

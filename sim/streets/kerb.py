@@ -1,4 +1,4 @@
-"""Kerb lines: where a carriageway ends and pavement, verge or wall begins; all that lines a street refers to them."""
+"""Kerb lines: where a carriageway ends and pavement, verge or wall begins; what lines a street follows them."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+import numpy.typing as npt
 from shapely import line_merge
 from shapely.geometry import LineString, MultiPolygon, Polygon
 from shapely.geometry.polygon import orient
@@ -29,8 +30,8 @@ class KerbLine:
         path: Along the kerb; closed round a block or an island. d > 0 goes from the kerb towards the facades.
         pavement_m: Width of the pavement; beyond it begin the lots.
         height_m: Of the pavement over the carriageway; 0 for a verge.
-        lining: What stands along it: houses, nothing much ("bare"), a crash barrier, a wall (of a tunnel: stand
-            nothing here), a verge of grass, the island of a roundabout.
+        lining: What stands along it: houses, nothing much ("bare"), a crash barrier, a wall (of a tunnel:
+            stand nothing here), a verge of grass, the island of a roundabout.
         corners_m: Intervals of s in which the kerb goes round the corner of a junction.
         keep_clear_m: Intervals of s in which nothing may stand on the pavement: corners and crossings.
         road: Name of the road it mostly runs along.
@@ -125,7 +126,7 @@ def _corners(path: Path, corner_m: float) -> tuple[tuple[float, float], ...]:
     return tuple((low - CORNER_MARGIN_M, high + CORNER_MARGIN_M) for low, high in _runs(s_m, tight))
 
 
-def _runs(s_m: Array, marked: Array) -> list[tuple[float, float]]:
+def _runs(s_m: Array, marked: npt.NDArray[np.bool_]) -> list[tuple[float, float]]:
     edges = np.flatnonzero(np.diff(np.concatenate([[0], np.asarray(marked, int), [0]])))
     return [(float(s_m[a]), float(s_m[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 

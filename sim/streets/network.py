@@ -102,8 +102,8 @@ class Network:
         kerbs: Along the edges; see ``KerbLine``.
         lanes: Where traffic moves.
         bays: Where cars may park.
-        route: Centre of the lane the car drives: through the origin along +x at s = 0; starts before, and ends
-            beyond, or is closed.
+        route: Centre of the lane the car drives: through the origin along +x at s = 0; starts before, and
+            ends beyond, or is closed.
         carriageway: All that is driven on.
         relief: Heights.
         tunnels: Covered stretches.

@@ -1,4 +1,4 @@
-"""The shape of the ground: smooth hills everywhere, bumps and roughness on the road, as functions of world xy."""
+"""The shape of the ground as functions of world xy: smooth hills everywhere, bumps and roughness on roads."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Polylines with rounded corners, smooth enough to be driven: how paths turn at junctions and round blocks."""
+"""Polylines with rounded corners, smooth enough to be driven: how paths turn at junctions, round blocks."""
 
 from __future__ import annotations
 

@@ -38,10 +38,10 @@ def plan_crossroads(length_m: float, rng: np.random.Generator) -> Plan:
     main = _town_road(_straight(length_m), rng)
     roads, joints, lanes = [main], [], car_lanes(main, TOWN_SPEED_MPS, 0.0)
     for k, s in enumerate(np.arange(rng.uniform(24.0, 28.0), length_m + 30.0, CROSSING_EVERY_M)):
+        half = float(rng.uniform(2.8, 3.2))
         arms = [
-            side_road(f"cross_{k}_{'left' if side > 0 else 'right'}", main, s, side, rng) for side in (1, -1)
+            side_road(f"cross_{k}_{'left' if side > 0 else 'right'}", main, s, side, half) for side in (1, -1)
         ]
-        arms[1] = _as_wide_as(arms[1], arms[0])
         roads += arms
         joints += [
             Joint(arm.name, "main", float(s), side, zebra_after=True)
@@ -94,20 +94,14 @@ def _arm(name: str, layout: Layout) -> Road:
 
 
 def side_road(
-    name: str, main: Road, s_m: float, side: int, rng: np.random.Generator, depth_m: float = SIDE_DEPTH_M
+    name: str, main: Road, s_m: float, side: int, half_m: float, depth_m: float = SIDE_DEPTH_M
 ) -> Road:
     """A side street at right angles to a road, from its middle outwards."""
     heading = float(main.path.heading_rad(s_m)) + side * np.pi / 2
-    return minor_road(
-        name, straight_path(main.path.point_m(s_m), heading, depth_m), float(rng.uniform(2.8, 3.2))
-    )
+    return minor_road(name, straight_path(main.path.point_m(s_m), heading, depth_m), half_m)
 
 
 def minor_road(name: str, path: Path, half_m: float) -> Road:
     """A street without a parking strip; its path is its middle."""
     strips = (Strip(-half_m / 2, True, half_m), Strip(half_m / 2, False, half_m))
     return Road(name, "minor", path, half_m, -half_m, strips, (path.start_m, path.end_m), (2.4, 2.4))
-
-
-def _as_wide_as(road: Road, other: Road) -> Road:
-    return minor_road(road.name, road.path, other.left_m)

@@ -47,7 +47,7 @@ def right_turns(arm: Road, through: Road, joint: Joint) -> list[Lane]:
 
 def _turned(before_m: Array, after_m: Array) -> Path:
     """Follow one line up to where it meets another, turn, and follow that."""
-    gap_m, nearest = cKDTree(after_m).query(before_m)
+    gap_m, nearest = (np.asarray(each) for each in cKDTree(after_m).query(before_m))
     meets = int(np.argmin(gap_m))
     before = before_m[: max(meets - round(_LEG_M / STEP_M), 1)]
     after = after_m[int(nearest[meets]) + round(_LEG_M / STEP_M) :]
