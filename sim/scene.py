@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import mujoco
 
-from estimator.camera import Camera
 from estimator.rig import Rig
 from estimator.se3 import Array
 from sim.faults.wrong_intrinsics import with_true_lenses
@@ -63,12 +62,12 @@ def assemble_scene(write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array
     chassis = write_car(spec, car)
     ego_from_cams = {name: mounted.ego_from_cam for name, mounted in true_rig.cameras.items()}
     write_cameras(chassis, sources, ego_from_cams)
-    write_visual_settings(spec, _largest_px(sources))
+    write_visual_settings(spec, _largest_px(lenses))
     return Scene(spec.compile(), lenses, path_m, car)
 
 
-def _largest_px(sources: Mapping[str, Camera]) -> tuple[int, int]:
-    widths, heights = zip(*(source.size_px for source in sources.values()), strict=True)
+def _largest_px(lenses: Mapping[str, Lens]) -> tuple[int, int]:
+    widths, heights = zip(*(lens.largest_px for lens in lenses.values()), strict=True)
     return max(widths), max(heights)
 
 

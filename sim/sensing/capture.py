@@ -10,7 +10,8 @@ import numpy as np
 from estimator.bundle import Image
 from sim.rendering.view import Renderer, RgbImage, View
 from sim.seeds import rng_for
-from sim.sensing.lens import GreyImage, Lens
+from sim.sensing.face import GreyImage
+from sim.sensing.lens import Lens
 from sim.sensing.sensor import SensorConfig, expose
 from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
@@ -27,11 +28,13 @@ class CameraArray:
     def take(self, stage: Stage, renderer: Renderer, index: int, time_s: float) -> dict[str, Image]:
         """Return each camera's image of bundle ``index``, whose exposures are centred on ``time_s``."""
         data = stage.at(time_s)
-        views = {name: View(lens.source, world_from_cam(data, name)) for name, lens in self._lenses.items()}
+        views: dict[str, View] = {}
+        for name, lens in self._lenses.items():
+            views |= lens.views(name, world_from_cam(data, name))
         pictures = renderer.render(data, views)
         return {
             name: expose(
-                lens.apply(grey(pictures[name].rgb)),
+                lens.apply([grey(pictures[key].rgb) for key in lens.keys(name)]),
                 self._config,
                 rng_for(self._seed, f"sensor.{name}.{index}"),
             )

@@ -1,98 +1,145 @@
-"""Exact lens images: a finer pinhole image of the same view, resampled through the camera model.
+"""Exact lens images: finer pinhole pictures of the same view, resampled through the camera model.
 
-A pinhole camera is rendered as it is. A distorted one is rendered by a source pinhole that covers its whole
-field, finely enough for the sharpest place of the lens, then every pixel is the mean of a grid of samples at
-the places where ``Camera.unproject`` says its rays meet the source plane.
+A pinhole camera is rendered as it is. A distorted one is rendered by one source pinhole that covers its
+whole field, finely enough for the sharpest place of the lens; one too wide for that by the faces of a cube
+around its centre of projection. Every pixel is the mean of a grid of samples at the places where
+``Camera.unproject`` says its rays meet the sources.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
-import numpy.typing as npt
 from scipy.interpolate import RectBivariateSpline
 
 from estimator.camera import Camera
 from estimator.errors import InputError
-from estimator.se3 import Array
-
-GreyImage = npt.NDArray[np.float32]
+from estimator.se3 import SE3, Array
+from sim.rendering.view import View
+from sim.sensing.face import BORDER_PX, DRIFT_MARGIN_PX, Face, GreyImage, PixelRates
+from sim.sensing.sources import cube_faces, flat_face
 
 SAMPLES_A_SIDE = 2  # per pixel: with the renderer's own multisampling enough against aliasing
-SOURCE_DENSITY = 1.1  # source pixels per lens pixel at the sharpest place, so that nothing is lost to blur
-_BORDER_PX = 2.0  # room for interpolation at the rim of the source
+WIDEST_FLAT_RAD = np.radians(71.0)  # half angle that one source pinhole of sane size can serve
 _NODE_SPACING_PX = 8
-_WIDEST_RAD = np.radians(71.0)  # half angle that a source pinhole of sane size can serve
 
 
 @dataclass(frozen=True, eq=False)
 class Lens:
-    """How one camera's image is made.
+    """How one camera's image, or some rows of it, is made.
 
     Attributes:
-        source: The pinhole to render.
-        map_xy: (2 H, 2 W, 2) source pixel of each sample; None when the source is the camera itself.
+        size_px: Width and height of the image, or of the rows.
+        samples_a_side: Of a pixel.
+        faces: The pinholes to render.
     """
 
-    source: Camera
-    map_xy: npt.NDArray[np.float32] | None
+    size_px: tuple[int, int]
+    samples_a_side: int
+    faces: tuple[Face, ...]
 
-    def apply(self, light: GreyImage) -> GreyImage:
-        """Turn the source image into the camera's image; both are (rows, columns) of light."""
-        if self.map_xy is None:
-            return light
-        samples = cv2.remap(light, self.map_xy, None, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-        height, width = (length // SAMPLES_A_SIDE for length in samples.shape)
+    @property
+    def source(self) -> Camera:
+        """The pinhole of the first face, which looks along the camera's axis in a whole image."""
+        return self.faces[0].pinhole
+
+    @property
+    def largest_px(self) -> tuple[int, int]:
+        """Width and height that no picture rendered for this lens exceeds, strips of rows included."""
+        widths, heights = zip(*(face.pinhole.size_px for face in self.faces), strict=True)
+        room_px = 2 * (BORDER_PX + DRIFT_MARGIN_PX) + 1
+        return max(widths) + room_px, max(heights) + room_px
+
+    def views(self, name: str, world_from_cam: SE3) -> dict[str, View]:
+        """Return the view of each face, named after the camera, when the camera has this pose."""
+        return {
+            key: View(face.pinhole, world_from_cam @ face.cam_from_face)
+            for key, face in zip(self.keys(name), self.faces, strict=True)
+        }
+
+    def keys(self, name: str) -> tuple[str, ...]:
+        """Return the names of the views."""
+        return (name, *(f"{name}/{index}" for index in range(1, len(self.faces))))
+
+    def apply(
+        self,
+        lights: Sequence[GreyImage],
+        rates: Sequence[PixelRates] | None = None,
+        delay_s: Array | None = None,
+    ) -> GreyImage:
+        """Turn the light of all faces into the image's light.
+
+        Args:
+            lights: One (rows, columns) picture a face.
+            rates: One (rows, columns, 2) field a face: how fast what is seen there moves, in px/s.
+            delay_s: (H,) how long after those pictures each row of the image is exposed.
+        """
+        face = self.faces[0]
+        if face.exact and rates is None:
+            return lights[0]
+        width, height = self.size_px
+        n = self.samples_a_side
+        samples = np.empty((n * height, n * width), np.float32)
+        late_s = None if delay_s is None else np.repeat(delay_s, n).astype(np.float32)
+        for index, (face, light) in enumerate(zip(self.faces, lights, strict=True)):
+            face.paint(samples, light, None if rates is None else rates[index], late_s)
+        if n == 1:
+            return samples
         return np.asarray(cv2.resize(samples, (width, height), interpolation=cv2.INTER_AREA))
+
+    def rows(self, first: int, last: int, margin_px: int = 0) -> Lens:
+        """Return the lens of rows ``first`` to ``last`` (not included) of the image alone."""
+        n = self.samples_a_side
+        parts = (face.rows(n * first, n * last, margin_px) for face in self.faces)
+        faces = tuple(part for part in parts if part is not None)
+        return Lens((self.size_px[0], last - first), n, faces)
 
 
 def make_lens(camera: Camera) -> Lens:
-    """Build the lens of a camera; raises InputError if its field is too wide for a flat source."""
-    if camera.model == "pinhole":
-        return Lens(camera, None)
-    plane = _sample_plane(camera)
-    density_px = SOURCE_DENSITY * _sharpest_px(plane)
-    low, high = plane.min((0, 1)), plane.max((0, 1))
-    center_px = _BORDER_PX - low * density_px
-    size_px = np.ceil((high - low) * density_px + 2 * _BORDER_PX).astype(int) + 1
-    source = Camera(
-        "pinhole",
-        (int(size_px[0]), int(size_px[1])),
-        (density_px, density_px),
-        (float(center_px[0]), float(center_px[1])),
-    )
-    return Lens(source, (plane * density_px + center_px).astype(np.float32))
+    """Build the lens of a camera.
 
-
-def _sample_plane(camera: Camera) -> Array:
-    """Return (2 H, 2 W, 2): where the ray of each sample meets the plane at depth one.
-
-    Only every eighth pixel is unprojected; a quintic spline between them is exact to 1e-5 px.
+    Raises:
+        InputError: The lens folds over inside the image.
     """
+    width, height = camera.size_px
+    if camera.model == "pinhole":
+        pixels = np.stack(np.meshgrid(np.arange(width), np.arange(height)), -1).astype(np.float32)
+        block = (slice(0, height), slice(0, width))
+        return Lens(camera.size_px, 1, (Face(camera, SE3(np.eye(3)), block, pixels, exact=True),))
+    columns, rows, rays = _node_rays(camera)
+    off_axis_rad = float(np.arctan2(np.hypot(rays[..., 0], rays[..., 1]), rays[..., 2]).max())
+    if off_axis_rad <= WIDEST_FLAT_RAD:
+        plane = _between_nodes(columns, rows, rays[..., :2] / rays[..., 2:], camera)
+        return Lens(camera.size_px, SAMPLES_A_SIDE, (flat_face(plane, SAMPLES_A_SIDE),))
+    rays = _between_nodes(columns, rows, rays, camera)
+    return Lens(camera.size_px, SAMPLES_A_SIDE, cube_faces(rays, SAMPLES_A_SIDE))
+
+
+def _node_rays(camera: Camera) -> tuple[Array, Array, Array]:
+    """Return columns, rows and (rows, columns, 3) rays of every eighth pixel, and of the image's border."""
     columns, rows = (np.linspace(-0.5, n - 0.5, -(-n // _NODE_SPACING_PX) + 6) for n in camera.size_px)
-    rays = camera.unproject(np.stack(np.meshgrid(columns, rows), -1).reshape(-1, 2))
-    _check_reach(camera, rays)
-    nodes = (rays[:, :2] / rays[:, 2:]).reshape(len(rows), len(columns), 2)
+    pixels = np.stack(np.meshgrid(columns, rows), -1)
+    rays = camera.unproject(pixels.reshape(-1, 2)).reshape((*pixels.shape[:2], 3))
+    dark = ~np.isfinite(rays).all(-1)
+    if dark.any():
+        from_center_px = np.linalg.norm(pixels[~dark] - np.array(camera.center_px), axis=1)
+        raise InputError(
+            f"a {camera.model} lens that folds over inside the image: distortion {list(camera.distortion)} "
+            f"gives no ray beyond {from_center_px.max(initial=0.0):.0f} px from its centre; wanted a ray for "
+            f"all of {camera.size_px[0]} x {camera.size_px[1]} pixels"
+        )
+    return columns, rows, rays
+
+
+def _between_nodes(columns: Array, rows: Array, nodes: Array, camera: Camera) -> Array:
+    """Return (2 H, 2 W, n) values at all samples; a quintic spline between the nodes is exact to 1e-5 px."""
     at_columns, at_rows = (
         (np.arange(SAMPLES_A_SIDE * n) + 0.5) / SAMPLES_A_SIDE - 0.5 for n in camera.size_px
     )
-    splines = [RectBivariateSpline(rows, columns, nodes[..., axis], kx=5, ky=5) for axis in (0, 1)]
+    splines = [
+        RectBivariateSpline(rows, columns, nodes[..., axis], kx=5, ky=5) for axis in range(nodes.shape[-1])
+    ]
     return np.stack([spline(at_rows, at_columns) for spline in splines], -1)
-
-
-def _check_reach(camera: Camera, rays: Array) -> None:
-    off_axis_rad = np.arctan2(np.hypot(rays[:, 0], rays[:, 1]), rays[:, 2]).max()
-    if not off_axis_rad <= _WIDEST_RAD:
-        raise InputError(
-            f"a {camera.model} camera sees {np.degrees(off_axis_rad):.0f} deg off its axis; "
-            f"the classic renderer reaches {np.degrees(_WIDEST_RAD):.0f} deg"
-        )
-
-
-def _sharpest_px(plane: Array) -> float:
-    """Return the lens's finest resolution, in lens pixels per unit of the plane at depth one."""
-    across = np.linalg.norm(np.diff(plane, axis=1), axis=-1).min()
-    down = np.linalg.norm(np.diff(plane, axis=0), axis=-1).min()
-    return float(1 / (SAMPLES_A_SIDE * min(across, down)))

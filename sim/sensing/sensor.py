@@ -7,7 +7,7 @@ from pydantic import Field
 
 from estimator.bundle import Image
 from estimator.config import Config
-from sim.sensing.lens import GreyImage
+from sim.sensing.face import GreyImage
 
 # A decent automotive sensor by day: 255 levels span about 10,000 electrons.
 LEVELS_PER_ELECTRON = 255 / 10_000

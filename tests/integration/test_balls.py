@@ -66,7 +66,7 @@ def test_balls_appear_where_the_camera_projects_them(camera: Camera) -> None:
     mujoco.mj_forward(model, data)
     with ClassicRenderer(model) as renderer:
         picture = renderer.render(data, {"eye": View(lens.source, world_from_cam(data, "eye"))})["eye"]
-    image = expose(lens.apply(grey(picture.rgb)), SensorConfig(noise=0), np.random.default_rng(0))
+    image = expose(lens.apply([grey(picture.rgb)]), SensorConfig(noise=0), np.random.default_rng(0))
     centers_cam = world_from_cam(data, "eye").inverse().apply(centers)
     expected = [
         expected_centroid_px(camera, center, radius)
