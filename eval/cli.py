@@ -10,6 +10,7 @@ import typer
 
 from estimator.errors import InputError
 from eval.command_doctor import doctor_command
+from eval.command_likeness import likeness_command
 from eval.command_list import list_command
 from eval.command_record import record_command
 from eval.command_replay import replay_command
@@ -33,6 +34,7 @@ app.command("record")(record_command)
 app.command("replay")(replay_command)
 app.command("sweep")(sweep_command)
 app.command("report")(report_command)
+app.command("likeness")(likeness_command)
 app.command("list")(list_command)
 app.command("doctor")(doctor_command)
 
