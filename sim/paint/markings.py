@@ -1,86 +1,105 @@
-"""Road markings painted into the road canvas: lane lines, bays, crossings, give-way lines, arrows."""
+"""Road markings painted by rules: lane lines, bays, crossings, arrows, limits, speed bumps."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from estimator.se3 import Array
 from sim.paint.paving import lay_setts
 from sim.paint.road import PAINT, RoadCanvas
-from sim.streets.layout import BAY_M, LANE_M, Layout
+from sim.streets.layout import Layout
+from sim.streets.relief import BUMP_LENGTH_M
+from sim.streets.road import BAY_M, ZEBRA_M, Road
 
-ZEBRA_M = 3.2
-
-
-def paint_main_road(road: RoadCanvas, layout: Layout, rng: np.random.Generator) -> None:
-    """Gutters, parking bays, centre line, the zebra crossing before the junction, arrows and a limit."""
-    section, path, junction = layout.section, layout.path, layout.junction
-    start, end = path.start_m, path.end_m
-    for kerb, inward in ((section.kerb_left_m, -1.0), (section.kerb_right_m, 1.0)):
-        _setts(road, start, kerb, end, kerb + 0.3 * inward, 150.0, rng)
-    if section.parking_side:
-        _paint_bays(road, layout, rng)
-    keep_off = [(junction.s_m - junction.half_width_m, junction.s_m + junction.half_width_m)]
-    for zebra in zebra_starts_m(layout):
-        keep_off.append((zebra - 1.5, zebra + ZEBRA_M + 1.5))
-        paint_zebra(road, zebra, section.kerb_right_m + 0.4, section.kerb_left_m - 0.4)
-        road.mark(zebra - 1.3, -LANE_M / 2, zebra - 0.9, section.center_line_m)
-    for s in np.arange(start + 1.0, end - 3.0, 5.0):
-        if all(s + 2.5 < low or s > high for low, high in keep_off):
-            road.mark(s, section.center_line_m - 0.07, s + 2.5, section.center_line_m + 0.07)
-    for s in np.arange(start + 14.0, end, 27.0):
-        if all(s + 4 < low or s > high for low, high in keep_off):
-            _arrow(road, s, 0.0)
-    _limit(road, layout.bend_start_m - 6.0)
-
-
-def paint_side_road(road: RoadCanvas, layout: Layout, rng: np.random.Generator) -> None:
-    """The give-way triangles at the mouth, a zebra behind them, a centre line and gutters."""
-    junction, section = layout.junction, layout.junction.section
-    mouth = abs(layout.section.kerb_m(junction.side))
-    for kerb, inward in ((section.kerb_left_m, -1.0), (section.kerb_right_m, 1.0)):
-        _setts(road, mouth + junction.corner_m, kerb, junction.path.end_m, kerb + 0.3 * inward, 140.0, rng)
-    for d in np.arange(section.kerb_right_m + 0.4, section.kerb_left_m - 0.4, 0.75):
-        triangle = np.array(
-            [road.at(mouth + 0.9, d), road.at(mouth + 0.2, d + 0.25), road.at(mouth + 0.9, d + 0.5)]
-        )
-        road.canvas.fill(triangle, PAINT, 0.92, road.worn)
-    paint_zebra(road, mouth + 1.6, section.kerb_right_m + 0.3, section.kerb_left_m - 0.3)
-    for s in np.arange(mouth + 8.0, junction.path.end_m, 4.0):
-        road.mark(s, -0.06, s + 1.5, 0.06)
+GUTTER_M = 0.3
+_ARROW_EVERY_M = 27.0
 
 
 def zebra_starts_m(layout: Layout) -> tuple[float, ...]:
-    """Where zebra crossings of the main road begin: before the junction's mouth, and one further on."""
-    first, last = layout.mouth_m
-    return first - ZEBRA_M - 0.3, last + 22.0
+    """Where zebra crossings of the main road begin: before the junction's mouth."""
+    return (layout.mouth_m[0] - ZEBRA_M - 0.3,)
 
 
-def paint_zebra(road: RoadCanvas, start_m: float, right_m: float, left_m: float) -> None:
-    """Bars of half a metre across the road."""
-    for d in np.arange(right_m, left_m - 0.4, 1.0):
+def paint_road(road: RoadCanvas, plan: Road, rng: np.random.Generator) -> None:
+    """Paint what a road's style asks for on the part of it that the canvas shows."""
+    gutters, bays = rng.spawn(2)
+    if plan.style == "motorway":
+        _paint_motorway(road, plan)
+        return
+    _pave_gutters(road, plan, gutters)
+    for side in plan.parking:
+        _paint_bays(road, plan, side, bays)
+    for zebra in plan.zebras_m:
+        _paint_zebra(road, plan, zebra)
+    if plan.style in ("street", "minor"):
+        _paint_center_line(road, plan)
+    if plan.style == "street":
+        for s in np.arange(14.0, plan.path.end_m, _ARROW_EVERY_M):
+            if plan.is_free(s, s + 4.0):
+                _arrow(road, s, 0.0)
+    for s in plan.limits_m:
+        _limit(road, s)
+    for s in plan.bumps_m:
+        _paint_bump(road, plan, s)
+
+
+def _pave_gutters(road: RoadCanvas, plan: Road, rng: np.random.Generator) -> None:
+    """Setts along the kerbs, but not across mouths."""
+    for side in (1, -1):
+        kerb, start = plan.edge_m(side), road.start_m
+        mouths = sorted((low, high) for low, high, at in plan.mouths_m if at == side)
+        tone = 150.0 if plan.style == "street" else 140.0
+        for low, high in [*mouths, (road.end_m, road.end_m)]:
+            if low > start:
+                _setts(road, (start, min(low, road.end_m)), (kerb, kerb - GUTTER_M * side), tone, rng)
+            start = max(start, high)
+
+
+def _paint_center_line(road: RoadCanvas, plan: Road) -> None:
+    middle = plan.center_line_m
+    if middle is None:
+        return
+    dash, gap, half = (2.5, 2.5, 0.07) if plan.style == "street" else (1.5, 2.5, 0.06)
+    for s in np.arange(plan.path.start_m + 1.0, plan.span_m[1] - 3.0, dash + gap):
+        if plan.is_free(s, s + dash) and s > plan.span_m[0] + 1.0:
+            road.mark(s, middle - half, s + dash, middle + half)
+
+
+def _paint_zebra(road: RoadCanvas, plan: Road, start_m: float) -> None:
+    """Bars of half a metre across the road, and where traffic stops before them."""
+    for d in np.arange(plan.right_m + 0.4, plan.left_m - 0.8, 1.0):
         road.mark(start_m, d, start_m + ZEBRA_M, d + 0.5)
+    middle = plan.center_line_m
+    if middle is None:
+        return
+    for strip in plan.strips:
+        low, high = strip.d_m - strip.width_m / 2, strip.d_m + strip.width_m / 2
+        low, high = (low, min(high, middle)) if strip.forward else (max(low, middle), high)
+        bar = start_m - 1.3 if strip.forward else start_m + ZEBRA_M + 0.9
+        if plan.span_m[0] < bar and plan.style == "street":
+            road.mark(bar, low, bar + 0.4, high)
 
 
 def _setts(
-    road: RoadCanvas, s0: float, d0: float, s1: float, d1: float, tone: float, rng: np.random.Generator
+    road: RoadCanvas,
+    s_m: tuple[float, float],
+    d_m: tuple[float, float],
+    tone: float,
+    rng: np.random.Generator,
 ) -> None:
-    corners = road.quad(s0, min(d0, d1), s1, max(d0, d1))
+    corners = road.quad(s_m[0], min(d_m), s_m[1], max(d_m))
     (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
     lay_setts(road.canvas, x0, y0, x1, y1, (0.18, 0.15), tone, rng)
 
 
-def _paint_bays(road: RoadCanvas, layout: Layout, rng: np.random.Generator) -> None:
-    section = layout.section
-    side = section.parking_side
-    kerb, lane_edge = section.kerb_m(side), section.kerb_m(side) - 2.0 * side
-    first, last = layout.mouth_m if side == layout.junction.side else (1e9, 1e9)
-    for s in np.arange(layout.path.start_m, layout.path.end_m - BAY_M, BAY_M):
-        if first - 6.0 < s < last + 0.5:
-            continue
-        _setts(road, s, kerb - 0.3 * side, s + BAY_M, lane_edge, float(rng.uniform(95, 130)), rng)
-        low, high = sorted((kerb, lane_edge))
+def _paint_bays(road: RoadCanvas, plan: Road, side: int, rng: np.random.Generator) -> None:
+    kerb, lane_edge = plan.edge_m(side), plan.edge_m(side) - 2.0 * side
+    edge = sorted((lane_edge, lane_edge + 0.1 * side))
+    low, high = sorted((kerb, lane_edge))
+    for s in plan.bays_m(side):
+        tone = float(rng.uniform(95, 130))
+        _setts(road, (s, s + BAY_M), (kerb - GUTTER_M * side, lane_edge), tone, rng)
         road.mark(s, low, s + 0.1, high)
-        edge = sorted((lane_edge, lane_edge + 0.1 * side))
         road.mark(s, edge[0], s + 0.8, edge[1])
         road.mark(s + BAY_M - 0.8, edge[0], s + BAY_M, edge[1])
 
@@ -102,3 +121,44 @@ def _limit(road: RoadCanvas, s: float) -> None:
     for digit, right in ((three, -0.4), (zero, 0.1)):  # (right, up) as the driver reads them
         points = np.stack([x + 0.75 * digit[:, 1], y + right + 0.3 * digit[:, 0]], axis=1)
         road.canvas.stroke(points, 0.11, PAINT, 0.85)
+
+
+def _paint_bump(road: RoadCanvas, plan: Road, s: float) -> None:
+    """Newer asphalt with teeth that point up both ramps."""
+    low, high = s - BUMP_LENGTH_M / 2, s + BUMP_LENGTH_M / 2
+    road.canvas.fill(road.quad(low, plan.right_m + GUTTER_M, high, plan.left_m - GUTTER_M), (62, 61, 62), 0.6)
+    for d in np.arange(plan.right_m + 0.5, plan.left_m - 1.0, 1.1):
+        for base, tip in ((low + 0.1, s - 0.5), (high - 0.1, s + 0.5)):
+            teeth = np.array([road.at(base, d), road.at(base, d + 0.7), road.at(tip, d + 0.35)])
+            road.canvas.fill(teeth, PAINT, 0.92, road.worn)
+
+
+def _paint_motorway(road: RoadCanvas, plan: Road) -> None:
+    """Dashes between lanes, 6 m in 18; unbroken lines along the shoulder and the median."""
+    edges = [strip.d_m + side * strip.width_m / 2 for strip in plan.strips for side in (-1, 1)]
+    right, left = min(edges), max(edges)
+    road.mark(road.start_m, right - 0.3, road.end_m, right)
+    road.mark(road.start_m, left, road.end_m, left + 0.15)
+    between = [strip.d_m + strip.width_m / 2 for strip in plan.strips if strip.d_m + strip.width_m < left]
+    for d in between:
+        for s in np.arange(np.floor(road.start_m / 18.0) * 18.0, road.end_m, 18.0):
+            road.mark(s, d - 0.075, s + 6.0, d + 0.075)
+
+
+def paint_teeth(road: RoadCanvas, teeth_m: Array) -> None:
+    """Triangles of a give-way line; (N, 3, 2) in the canvas's street coordinates."""
+    for tooth in teeth_m:
+        road.canvas.fill(np.array([road.at(*corner) for corner in tooth]), PAINT, 0.92, road.worn)
+
+
+def pave_edge(road: RoadCanvas, line_m: Array) -> None:
+    """A gutter of setts along a kerb that is not straight; (N, 2) in the canvas's street coordinates."""
+    points = np.array([road.at(*point) for point in line_m])
+    road.canvas.stroke(points, 2 * GUTTER_M, (140, 138, 133), 0.9)
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
+    for s in np.arange(0.0, along[-1], 0.19):
+        at = np.array([np.interp(s, along, points[:, axis]) for axis in (0, 1)])
+        ahead = np.array([np.interp(s + 0.1, along, points[:, axis]) for axis in (0, 1)]) - at
+        across = np.array([-ahead[1], ahead[0]]) / max(float(np.linalg.norm(ahead)), 1e-6)
+        joint = np.array([at - GUTTER_M * across, at + GUTTER_M * across])
+        road.canvas.stroke(joint, 0.025, (92, 90, 88), 0.8)

@@ -6,7 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from sim.paint.canvas import Canvas
+from estimator.se3 import Array
+from sim.paint.canvas import Canvas, RgbImage
 from sim.paint.noise import crooked_line, fractal
 
 JOINT = 0.7  # tone of a joint relative to the stones
@@ -83,3 +84,40 @@ def pavement(
     lay_setts(canvas, 0, kerb[0], length_m, kerb[1], (0.9, 0.28), 165, rng)
     canvas.shade(0.07 * fractal(rng, canvas.shape, canvas.cells(2.0), 4, 0.6))
     return canvas
+
+
+def verge(length_m: float, width_m: float, texel_m: tuple[float, float], rng: np.random.Generator) -> Canvas:
+    """A verge, seen with the road below: crushed stone beside the road, then grass with bare patches."""
+    canvas = Canvas(length_m, width_m, texel_m, (96, 104, 62))
+    canvas.shade(0.16 * fractal(rng, canvas.shape, canvas.cells(1.6), 5, 0.8))
+    bare = fractal(rng, canvas.shape, canvas.cells(2.4), 5, 0.7)
+    edge = np.linspace(width_m, 0.0, canvas.shape[0])[:, None]  # metres from the road
+    stony = np.clip(1.6 - edge + 0.3 * bare, 0.0, 1.0)
+    stones = 118.0 * (1.0 + 0.14 * fractal(rng, canvas.shape, canvas.cells(0.25), 3, 0.9))
+    canvas.pixels += stony[..., None] * (stones[..., None] * np.array([1.0, 0.98, 0.94]) - canvas.pixels)
+    worn = np.clip(bare - 1.0, 0.0, 1.0)
+    canvas.pixels += worn[..., None] * (np.array([128.0, 112.0, 84.0], np.float32) - canvas.pixels)
+    return canvas
+
+
+def grassland(tile_m: float, rng: np.random.Generator) -> RgbImage:
+    """A square of grass, earth and gravel that continues itself at its edges."""
+    canvas = Canvas(tile_m, tile_m, (0.06, 0.06), (92, 98, 62))
+    tufts, mud = (
+        _seamless(rng, canvas, size, octaves, gain) for size, octaves, gain in ((0.5, 4, 0.9), (3.0, 6, 0.8))
+    )
+    canvas.shade(0.2 * tufts)
+    canvas.pixels += (mud > 0.6)[..., None] * np.array([38, 12, 18], np.float32)
+    return canvas.image()
+
+
+def _seamless(rng: np.random.Generator, canvas: Canvas, size_m: float, octaves: int, gain: float) -> Array:
+    """Noise whose opposite edges fit: two fields, each hidden where its own edges are."""
+    one, other = (fractal(rng, canvas.shape, canvas.cells(size_m), octaves, gain) for _ in range(2))
+    rows, columns = canvas.shape
+    hidden = np.minimum(
+        np.abs(np.linspace(-1, 1, rows))[:, None] ** 8 + np.abs(np.linspace(-1, 1, columns)) ** 8, 1.0
+    )
+    shifted = np.roll(other, (rows // 2, columns // 2), axis=(0, 1))
+    blend: Array = (1 - hidden) * one + hidden * shifted
+    return np.asarray(blend / np.sqrt((1 - hidden) ** 2 + hidden**2))

@@ -35,6 +35,11 @@ class RoadCanvas:
     top_m: float
     worn: Array
 
+    @property
+    def end_m(self) -> float:
+        """s of its right edge."""
+        return self.start_m + self.canvas.shape[1] * self.canvas.texel_m[0]
+
     def quad(self, s0: float, d0: float, s1: float, d1: float) -> Array:
         """Canvas polygon of a rectangle in street coordinates."""
         x0, x1, y0, y1 = s0 - self.start_m, s1 - self.start_m, self.top_m - d1, self.top_m - d0
@@ -50,24 +55,40 @@ class RoadCanvas:
 
 
 def asphalt(
-    start_m: float, end_m: float, right_m: float, left_m: float, rng: np.random.Generator
+    start_m: float,
+    end_m: float,
+    right_m: float,
+    left_m: float,
+    rng: np.random.Generator,
+    texel_m: tuple[float, float] = ROAD_TEXEL_M,
+    wear: float = 1.0,
 ) -> RoadCanvas:
-    """Lay asphalt of several ages between two s and two d, with repairs, cracks, stains and covers."""
-    canvas = Canvas(end_m - start_m, left_m - right_m, ROAD_TEXEL_M, (98, 97, 96))
+    """Lay asphalt of several ages between two s and two d, with repairs, cracks, stains and covers.
+
+    Args:
+        start_m: s of the left edge.
+        end_m: s of the right edge.
+        right_m: d of the lower edge.
+        left_m: d of the upper edge.
+        rng: Source of randomness.
+        texel_m: Size of a texel along and across.
+        wear: 1 for an old town street, 0 for a plain new surface.
+    """
+    canvas = Canvas(end_m - start_m, left_m - right_m, texel_m, (98, 97, 96))
     shape = canvas.shape
     worn = smoothstep(-1.5, 0.3, fractal(rng, shape, canvas.cells(0.5), 6, 0.8))
     road = RoadCanvas(canvas, start_m, left_m, 0.25 + 0.75 * worn)
     # Polished stretches between rough ones: a road is not equally busy everywhere.
     rough = 0.014 + 0.056 * smoothstep(-0.3, 1.2, fractal(rng, shape, canvas.cells(2.2), 2))
     canvas.shade(
-        0.08 * fractal(rng, shape, canvas.cells(3.0), 3)
-        + rough * fractal(rng, shape, canvas.cells(0.45), 4, 0.6)
+        (0.03 + 0.05 * wear) * fractal(rng, shape, canvas.cells(3.0), 3)
+        + (0.4 + 0.6 * wear) * rough * fractal(rng, shape, canvas.cells(0.45), 4, 0.6)
     )
-    area = (end_m - start_m) * (left_m - right_m)
+    area = wear * (end_m - start_m) * (left_m - right_m)
     _lay_repairs(road, area, right_m, left_m, rng)
     _crack(road, area, right_m, left_m, rng)
     _spill(road, area, right_m, left_m, rng)
-    _set_covers(road, end_m - start_m, right_m, left_m, rng)
+    _set_covers(road, wear, end_m - start_m, right_m, left_m, rng)
     return road
 
 
@@ -119,11 +140,11 @@ def _spill(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng:
 
 
 def _set_covers(
-    road: RoadCanvas, length_m: float, right_m: float, left_m: float, rng: np.random.Generator
+    road: RoadCanvas, wear: float, length_m: float, right_m: float, left_m: float, rng: np.random.Generator
 ) -> None:
     """Manhole covers, valve caps and gully grates."""
     canvas = road.canvas
-    for _ in range(round(length_m / 7.0)):
+    for _ in range(round(wear * length_m / 7.0)):
         x, y = rng.uniform(1, length_m - 1), rng.uniform(0.8, left_m - right_m - 0.8)
         if rng.random() < 0.6:
             _cover(canvas, x, y, 0.36)

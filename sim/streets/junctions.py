@@ -10,6 +10,7 @@ from shapely import contains_xy
 from shapely.geometry import MultiPolygon, Polygon
 from shapely.ops import unary_union
 
+from estimator.se3 import Array
 from sim.streets.kerb import carriageway_of
 from sim.streets.network import Junction
 from sim.streets.road import ZEBRA_M, Road
@@ -121,4 +122,16 @@ def _surface(part: Polygon, roads: Sequence[Road], joints: Sequence[Joint]) -> J
 
     joint = min(joints, key=away_m)
     through = by_name[joint.through]
-    return Junction(part, float(through.path.heading_rad(joint.s_m)), through.wear)
+    teeth = _teeth(by_name[joint.arm], through, joint)
+    return Junction(part, float(through.path.heading_rad(joint.s_m)), through.wear, teeth)
+
+
+def _teeth(arm: Road, through: Road, joint: Joint) -> Array:
+    """The give-way line of an arm, along the edge of the through road, as (N, 3, 2) triangles."""
+    incoming = max((strip for strip in arm.strips if not strip.forward), key=lambda strip: strip.d_m)
+    middle = arm.center_line_m or 0.0
+    d = np.arange(middle + 0.1, incoming.d_m + incoming.width_m / 2 + 1.0, 0.75)
+    at = through.path.project(arm.path.point_m(arm.path.start_m, d))[:, 0]
+    edge, out = through.edge_m(joint.side), float(joint.side)
+    corners = [(at - 0.25, edge + 0.9 * out), (at + 0.25, edge + 0.9 * out), (at, edge + 0.2 * out)]
+    return np.stack([through.path.point_m(s, across) for s, across in corners], axis=1)

@@ -1,4 +1,4 @@
-"""Kerb lines: where a carriageway ends and pavement, verge or wall begins; what lines a street follows them."""
+"""Kerb lines: where a carriageway ends and pavement, verge or wall begins; all stands along them."""
 
 from __future__ import annotations
 

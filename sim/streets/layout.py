@@ -126,7 +126,7 @@ def _junction(path: Path, s_m: float, side: int, rng: np.random.Generator) -> Ju
     heading = float(path.heading_rad(s_m)) + side * np.pi / 2
     own = straight_path(path.point_m(s_m), heading, SIDE_DEPTH_M)
     section = Section(half, -half, half + pavement, -half - pavement, 0.0, 0)
-    return Junction(s_m, side, half, 3.5, own, section)
+    return Junction(s_m, side, half, 5.2, own, section)
 
 
 def lane_centerline_m(layout: Layout) -> Array:

@@ -53,11 +53,13 @@ class Junction:
         outline: The surface that belongs to neither road's plain strip.
         yaw_rad: Heading of the road that goes through, along which the surface is painted.
         wear: As of the roads.
+        teeth_m: (N, 3, 2) triangles of give-way lines in world xy.
     """
 
     outline: Polygon
     yaw_rad: float
     wear: float
+    teeth_m: Array
 
 
 @dataclass(frozen=True)

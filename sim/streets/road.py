@@ -56,8 +56,9 @@ class Road:
         gives_way: Whether it gives way where it begins.
         open_ends: Whether it leaves the world at its start and at its end.
         wear: 1 for an old town street full of repairs and spots, 0 for plain new asphalt.
-        paint_at_m: s of large figures painted on the driven lane: arrows.
         limits_m: s of the speed limit painted on the lane.
+        texel_m: How finely it is painted along and across; finer across, since at a flat angle mipmaps blur
+            along the road anyway.
     """
 
     name: str
@@ -76,6 +77,7 @@ class Road:
     open_ends: tuple[bool, bool] = (True, True)
     wear: float = 1.0
     limits_m: tuple[float, ...] = ()
+    texel_m: tuple[float, float] = (0.025, 0.014)
 
     @property
     def width_m(self) -> float:

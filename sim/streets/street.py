@@ -57,6 +57,6 @@ def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
     network = draw_network(config.kind, config.length_m, asked, plan, relief)
     lots = draw_lots(layout, plots)
     scenery = (
-        build_ground(layout, ground) + build_houses(layout, lots, houses) + furnish(layout, lots, things)
+        build_ground(network, ground) + build_houses(layout, lots, houses) + furnish(layout, lots, things)
     )
     return Street(driven_line_m(network.route, config.length_m), network, scenery)
