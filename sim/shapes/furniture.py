@@ -1,48 +1,93 @@
-"""Meshes of street furniture, each standing at the origin; what has a front faces +x. All wear one skin."""
+"""Meshes of street furniture, each standing at the origin; what has a front faces +x. All share coats."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from sim.paint.furniture import SIGN_M, region
+from sim.paint.furniture_parts import PLATE_M, SIGN_M, region
 from sim.shapes.mesh import Mesh, box, disc, merged, quads, rect_uvs, tube
+
+LAMP_HEAD_M = (1.55, 5.85)  # of a street lamp: how far before its foot, how high
+
+
+def pole(height_m: float, radii_m: tuple[float, float] = (0.035, 0.035)) -> Mesh:
+    """A steel pole; its radius below and above."""
+    z = np.array([-0.3, 0.5 * height_m, height_m])
+    radii = np.array([radii_m[0], *radii_m])
+    return tube(np.column_stack([0 * z, 0 * z, z]), radii, 7, region("steel"))
 
 
 def lamp_post(height_m: float) -> Mesh:
     """A lamp on an arm that reaches towards +x."""
-    z = np.array([0.0, 0.5, 1.0, height_m])
-    pole = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.1, 0.1, 0.065, 0.05]), 8, region("steel"))
+    z = np.array([-0.3, 0.9, 1.0, height_m])
+    post = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.1, 0.1, 0.065, 0.05]), 8, region("steel"))
     arm_x = np.array([0.0, 0.5, 1.4])
     arm_z = height_m + np.array([-0.05, 0.25, 0.35])
     arm = tube(np.column_stack([arm_x, 0 * arm_x, arm_z]), np.array([0.04, 0.035, 0.03]), 6, region("steel"))
-    head = box((1.2, -0.12, height_m + 0.27), (1.9, 0.12, height_m + 0.4), region("green"))
-    return merged([pole, arm, head])
+    top = height_m + 0.27
+    head = box((1.2, -0.12, top), (1.9, 0.12, top + 0.13), region("green"))
+    glass = np.array([[(1.25, 0.1, top), (1.85, 0.1, top), (1.85, -0.1, top), (1.25, -0.1, top)]])
+    return merged([post, arm, head, quads(glass, rect_uvs(region("lamp"))[None])])
 
 
 def sign_post(faces: tuple[str, ...]) -> Mesh:
     """A pole with one or two signs, the first on top; they are read from +x."""
     top = 2.5 + 0.62 * (len(faces) - 1)
-    z = np.array([0.0, top + 0.2])
-    parts = [tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.035, 0.035]), 6, region("steel"))]
+    parts = [pole(top + 0.2)]
     for k, name in enumerate(faces):
-        parts += _sign(name, top - 0.62 * k)
+        parts += sign(name, top - 0.62 * k)
     return merged(parts)
 
 
-def _sign(name: str, z: float) -> list[Mesh]:
+def sign(name: str, z: float) -> list[Mesh]:
+    """The face of a sign and its back, z high, just before a pole."""
     half, x = SIGN_M / 2, 0.045
-    if name in ("limit", "no_parking"):
-        front = disc((x, 0, z), half, 20, region(name))
+    if name in ("limit", "no_parking", "stop", "no_entry"):
+        front = disc((x, 0, z), half, 8 if name == "stop" else 20, region(name))
         back = disc((-x + 0.08, 0, -0.0), half, 20, region("back")).moved(yaw_rad=np.pi).moved((0.0, 0.0, z))
         return [front, back]
-    tip = 0.0 if name == "warning" else half
-    corners = np.array([[(x, -half, z - half), (x, half, z - half), (x, tip, z + half), (x, -tip, z + half)]])
-    uvs = rect_uvs(region(name))
-    if name == "warning":
-        u_mid = (uvs[2, 0] + uvs[3, 0]) / 2
-        uvs[2, 0] = uvs[3, 0] = u_mid
+    wide, tall = (PLATE_M[0] / 2, PLATE_M[1] / 2) if name.startswith("plate") else (half, half)
+    shape = {
+        "warning": [(-1, -1), (1, -1), (0, 1), (0, 1)],
+        "give_way": [(0, -1), (0, -1), (1, 1), (-1, 1)],
+        "priority": [(-1, 0), (0, -1), (1, 0), (0, 1)],
+    }.get(name, [(-1, -1), (1, -1), (1, 1), (-1, 1)])
+    yz = np.array(shape, float)
+    corners = np.column_stack([np.full(4, x), wide * yz[:, 0], z + tall * yz[:, 1]])[None]
+    u0, v0, u1, v1 = region(name)
+    uvs = np.column_stack([u0 + (u1 - u0) * (1 + yz[:, 0]) / 2, v0 + (v1 - v0) * (1 - yz[:, 1]) / 2])
     mirrored = corners[:, ::-1] - [0.02, 0, 0]
     return [quads(corners, uvs[None]), quads(mirrored, rect_uvs(region("back"))[None])]
+
+
+def parking_meter() -> Mesh:
+    """A machine for parking tickets on the pavement."""
+    return merged(
+        [
+            box((-0.1, -0.12, 0.0), (0.1, 0.12, 0.9), region("steel")),
+            box((-0.15, -0.17, 0.9), (0.15, 0.17, 1.65), region("meter"), region("steel")),
+        ]
+    )
+
+
+def post_box() -> Mesh:
+    """A box for letters on a post."""
+    return merged(
+        [
+            box((-0.05, -0.05, 0.0), (0.05, 0.05, 0.7), region("steel")),
+            box((-0.2, -0.26, 0.65), (0.2, 0.26, 1.4), region("post_box"), region("steel")),
+        ]
+    )
+
+
+def bike_rack() -> Mesh:
+    """Three hoops side by side along y."""
+    parts = []
+    for y in (-0.8, 0.0, 0.8):
+        for x in (-0.25, 0.25):
+            parts.append(box((x - 0.025, y - 0.025, 0.0), (x + 0.025, y + 0.025, 0.8), region("steel")))
+        parts.append(box((-0.275, y - 0.025, 0.76), (0.275, y + 0.025, 0.81), region("steel")))
+    return merged(parts)
 
 
 def bollard() -> Mesh:

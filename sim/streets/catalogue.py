@@ -2,52 +2,97 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 import numpy as np
 
-from sim.shapes.bushes import bush_mesh
+from sim.shapes.bushes import bush_mesh, tuft_mesh
 from sim.shapes.furniture import (
     advert_column,
     bench,
+    bike_rack,
     bollard,
     cabinet,
     lamp_post,
     litter_bin,
+    parking_meter,
     planter,
+    post_box,
     sign_post,
     wheelie_bin,
 )
-from sim.shapes.trees import SPECIES, tree_mesh
+from sim.shapes.mesh import Mesh
+from sim.shapes.trees import SPECIES, SPRUCE, Species, tree_mesh
 from sim.streets.placing import Thing
+
+SKINS = 3  # furniture comes in as many coats, each with its own posters, stickers and names
+PLATES = 4  # names of streets on each
+_BUSHES = (
+    (0.45, "lime"),
+    (0.6, "hornbeam"),
+    (0.75, "plane"),
+    (0.55, "copper"),
+    (0.9, "hornbeam"),
+    (0.5, "birch"),
+)
 
 
 class Catalogue:
     """Shared models, so that a hundred trees are a handful of meshes."""
 
     def __init__(self, rng: np.random.Generator) -> None:
-        self.trees = [Thing(tree_mesh(kind, True, rng), "plants", (0.5, 0.5)) for kind in SPECIES]
-        self.bushes = [
-            Thing(bush_mesh(r, kind, rng), "plants", (1.6 * r, 1.6 * r))
-            for r, kind in ((0.5, "lime"), (0.7, "hornbeam"), (0.9, "copper"))
-        ]
-        self.lamp = Thing(lamp_post(5.6), "furniture", (0.3, 0.3))
-        self.bollard = Thing(bollard(), "furniture", (0.16, 0.16))
-        self.by_facade = [
-            Thing(wheelie_bin(), "furniture", (0.7, 0.6)),
-            Thing(wheelie_bin(), "furniture", (0.7, 0.6)),
-            Thing(cabinet(), "furniture", (0.42, 1.12)),
-            Thing(bench(), "furniture", (0.6, 1.6)),
-            Thing(planter(), "furniture", (0.92, 0.92)),
-            *self.bushes[:2],
-        ]
-        self.by_kerb = [
-            Thing(litter_bin(), "furniture", (0.52, 0.52)),
-            Thing(advert_column(), "furniture", (1.3, 1.3)),
-            Thing(planter(), "furniture", (0.92, 0.92)),
-            Thing(sign_post(("no_parking",)), "furniture", (0.1, 0.62)),
-            Thing(sign_post(("limit", "no_parking")), "furniture", (0.1, 0.62)),
-            Thing(cabinet(), "furniture", (0.42, 1.12)),
-        ]
+        self._fine = [_tree(kind, True, rng) for kind in SPECIES for _ in range(2)]
+        self._coarse = [_tree(kind, False, rng) for kind in SPECIES]
+        self.conifers = [_tree(SPRUCE, False, rng) for _ in range(2)]
+        self.bushes = [Thing(bush_mesh(r, kind, rng), "plants", (1.5 * r, 1.5 * r)) for r, kind in _BUSHES]
+        self.tufts = [Thing(tuft_mesh(kind, rng), "plants", (0.2, 0.2)) for kind in ("lime", "birch")]
+        self.lamp = _thing(lamp_post(5.6), (0.3, 0.3), 0)
+        self.bollard = _thing(bollard(), (0.16, 0.16), 0)
+        self.by_facade = _coats(
+            (wheelie_bin, (0.7, 0.6)),
+            (cabinet, (0.42, 1.12)),
+            (bench, (0.6, 1.6)),
+            (planter, (0.92, 0.92)),
+            (bike_rack, (0.6, 1.9)),
+        )
+        self.by_kerb = _coats(
+            (litter_bin, (0.52, 0.52)),
+            (advert_column, (1.3, 1.3)),
+            (cabinet, (0.42, 1.12)),
+            (parking_meter, (0.34, 0.34)),
+            (post_box, (0.44, 0.56)),
+            (lambda: sign_post(("no_parking",)), (0.1, 0.62)),
+            (lambda: sign_post(("limit", "no_parking")), (0.1, 0.62)),
+        )
+        names = (("crossing",), ("warning", "limit"), ("give_way",), ("priority",), ("stop",), ("no_entry",))
         self.signs = {
-            n: Thing(sign_post(n), "furniture", (0.1, 0.62))
-            for n in (("crossing",), ("warning", "limit"), ("plate",))
+            faces: _thing(sign_post(faces), (0.1, 0.62), k % SKINS) for k, faces in enumerate(names)
         }
+        self.plates = [
+            _thing(sign_post((f"plate_{k}",)), (0.1, 0.9), skin)
+            for skin in range(SKINS)
+            for k in range(PLATES)
+        ]
+
+    def trees(self, fine: bool) -> Sequence[Thing]:
+        """Street trees; two fine ones of each species where one does for those far away."""
+        return self._fine if fine else self._coarse
+
+
+def furniture_skin(coat: int) -> str:
+    """Name of the skin of one coat."""
+    return f"furniture_{coat}"
+
+
+def _thing(mesh: Mesh, size_m: tuple[float, float], coat: int) -> Thing:
+    return Thing(mesh, furniture_skin(coat), size_m)
+
+
+def _coats(*makers: tuple[Callable[[], Mesh], tuple[float, float]]) -> list[Thing]:
+    """Every model once in every coat."""
+    built = [(make(), size_m) for make, size_m in makers]
+    return [_thing(mesh, size_m, coat) for mesh, size_m in built for coat in range(SKINS)]
+
+
+def _tree(species: Species, fine: bool, rng: np.random.Generator) -> Thing:
+    return Thing(tree_mesh(species, fine, rng), "plants", (0.5, 0.5))

@@ -2,40 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from sim.shapes.parked_cars import KINDS, car, outline_m
-from sim.streets.layout import BAY_M, Layout
+from sim.streets.network import Bay
 from sim.streets.placing import Site, Thing
 from sim.streets.scenery import Skin
 
-CAR_SKINS = 7
+MODELS = 14
 
 
 def draw_cars(rng: np.random.Generator) -> tuple[dict[str, Skin], list[Thing]]:
+    """Draw the cars that are parked around here, each with its own paint and number plate."""
     skins, things = {}, []
-    for k in range(CAR_SKINS):
+    for k in range(MODELS):
         kind = KINDS[rng.integers(len(KINDS))]
         mesh, skin = car(kind, rng)
         skins[f"car_{k}"] = skin
-        things.append(Thing(mesh, f"car_{k}", outline_m(kind), 0.0))
+        things.append(Thing(mesh, f"car_{k}", outline_m(kind)))
     return skins, things
 
 
-def park(street: Site, layout: Layout, cars: list[Thing], rng: np.random.Generator) -> None:
-    """Two bays in three are taken; cars point along their side's traffic."""
-    side = street.section.parking_side
-    d = street.section.kerb_m(side) - side * 1.08
-    clear = layout.mouth_m if side == layout.junction.side else (1e9, 1e9)
-    for s in np.arange(street.path.start_m, street.path.end_m - BAY_M, BAY_M):
-        if clear[0] - 6.0 < s < clear[1] + 0.5 or rng.random() > 0.6:
-            continue
-        thing = cars[rng.integers(len(cars))]
-        turn = (np.pi if side > 0 else 0.0) + rng.normal(0, 0.02)
-        street.put(thing, s + BAY_M / 2 + rng.normal(0, 0.12), d + rng.normal(0, 0.05), turn)
+def park(
+    site: Site, bays: Sequence[Bay], cars: Sequence[Thing], share: float, rng: np.random.Generator
+) -> None:
+    """Fill a share of the bays.
 
-
-def park_side(street: Site, cars: list[Thing], rng: np.random.Generator) -> None:
-    for s in np.arange(14.0, street.path.end_m - 5.0, 6.0):
-        if rng.random() < 0.6:
-            street.put(cars[rng.integers(len(cars))], s, street.section.kerb_right_m + 1.05, 0.0)
+    Which bay is taken first, by which car, does not depend on the share. A car comes again only after
+    all others.
+    """
+    order = rng.random(len(bays))
+    rounds = -(-len(bays) // len(cars))
+    picked = np.concatenate([rng.permutation(len(cars)) for _ in range(rounds)] or [np.zeros(0, int)])
+    off_m, turns = rng.normal(0, (0.12, 0.05), (len(bays), 2)), rng.normal(0, 0.02, len(bays))
+    around = rng.random(len(bays)) < 0.4
+    for k, bay in enumerate(bays):
+        yaw = bay.yaw_rad + turns[k] + (np.pi if bay.is_across and around[k] else 0.0)
+        ahead = np.array([np.cos(bay.yaw_rad), np.sin(bay.yaw_rad)])
+        at = np.array(bay.center_m) + off_m[k, 0] * ahead + off_m[k, 1] * np.array([-ahead[1], ahead[0]])
+        site.put_at(cars[picked[k]], at, float(yaw), shown=bool(order[k] < share))

@@ -1,74 +1,140 @@
-"""Where things grow: street trees, front gardens with their borders, lots without a house."""
+"""Where things grow: street trees, front gardens with their borders, lots without a house, weeds at walls.
+
+What is drawn does not depend on how much grows: each plant draws whether it grows, and less
+vegetation only leaves some of them out.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from sim.shapes.bushes import bush_mesh, hedge_mesh
+from estimator.se3 import Array
+from sim.shapes.bushes import hedge_mesh
 from sim.shapes.furniture import board_fence, garden_wall, picket_fence
 from sim.shapes.mesh import Mesh
-from sim.streets.catalogue import Catalogue
-from sim.streets.houses import Lot
-from sim.streets.placing import Site, Thing
+from sim.streets.catalogue import Catalogue, furniture_skin
+from sim.streets.lot import Lot
+from sim.streets.placing import KerbSite, Site, Thing
+
+FINE_TREES_M = 13.0  # from the driven line
+_BORDER_PIECE_M = 4.0  # of a fence, so that it follows the ground
 
 
-def line_with_trees(street: Site, catalogue: Catalogue, rng: np.random.Generator) -> None:
-    for side in (1, -1):
-        s = street.path.start_m + rng.uniform(2, 8)
-        while s < street.path.end_m - 2:
-            tree = catalogue.trees[rng.integers(len(catalogue.trees))]
-            street.put(tree, s, street.section.kerb_m(side) + 0.65 * side, rng.uniform(0, 2 * np.pi))
-            s += rng.uniform(9.0, 17.0)
+@dataclass(frozen=True, eq=False)
+class Greenery:
+    """What there is to plant, and how much of it.
+
+    Attributes:
+        catalogue: The plants.
+        share: 0 for none, 1 for all.
+        rng: Source of randomness.
+    """
+
+    catalogue: Catalogue
+    share: float
+    rng: np.random.Generator
+
+    def grows(self) -> bool:
+        """Whether the next plant grows."""
+        return bool(self.rng.random() < self.share)
 
 
-def plant_garden(street: Site, lot: Lot, catalogue: Catalogue, rng: np.random.Generator) -> None:
-    """A lot without a house: a tall fence along the street, trees and bushes behind it."""
-    width = float(np.linalg.norm(lot.front_m[1] - lot.front_m[0]))
-    along = lot.front_m[1] - lot.front_m[0]
-    at = lot.front_m.mean(axis=0)
-    yaw = float(np.arctan2(along[1], along[0])) - np.pi / 2
-    fence = Thing(board_fence(width - 0.06), "furniture", (0.1, width - 0.3))
-    street.put_at(fence, at, yaw)
-    behind = lot.back_m.mean(axis=0)
-    length = float(np.linalg.norm(lot.back_m[1] - lot.back_m[0])) - 0.2
-    wall = Thing(garden_wall(length, 2.6).moved((0.0, -length / 2, 0.0)), "furniture", (0.26, length))
-    street.put_at(wall, behind, yaw)
-    low, high = lot.span_m
-    for depth, things, count in ((1.5, catalogue.bushes, 3), (3.4, catalogue.trees, 2)):
+def line_with_trees(street: KerbSite, green: Greenery) -> None:
+    """Trees near the kerb at uneven spacings, and weeds where the pavement meets the houses."""
+    rng, kerb = green.rng, street.kerb
+    s = kerb.path.start_m + rng.uniform(2, 8)
+    while s < kerb.path.end_m - 2:
+        fine = street.site.from_route_m(kerb.path.point_m(s)) < FINE_TREES_M
+        trees = green.catalogue.trees(fine)
+        tree, turn = trees[int(rng.random() * len(trees))], rng.uniform(0, 2 * np.pi)
+        street.put(tree, s, 0.65, turn, shown=green.grows())
+        s += rng.uniform(9.0, 17.0)
+    for s in street.steps(1.0, 2.3):
+        tuft, at = green.catalogue.tufts[rng.integers(2)], s + rng.uniform(-1.0, 1.0)
+        if rng.random() < 0.5:
+            street.put(tuft, at, kerb.pavement_m - 0.2, rng.uniform(0, 6), 0.0, shown=green.grows())
+
+
+def plant_garden(site: Site, lot: Lot, green: Greenery) -> None:
+    """A lot without a house: a tall fence along the street, a wall behind, trees and bushes between."""
+    rng, catalogue = green.rng, green.catalogue
+    inward = -lot.outward
+    depth = float(np.linalg.norm(lot.back_m.mean(axis=0) - lot.front_m.mean(axis=0)))
+    skin = furniture_skin(int(rng.integers(3)))
+    _border(site, lot, 0.06, lot.width_m - 0.3, board_fence, skin, 0.1)
+    _border(site, lot, depth - 0.2, lot.width_m - 0.8, lambda n: _centred(garden_wall(n, 2.6), n), skin, 0.26)
+    conifers = rng.random() < 0.3
+    trees: Sequence[Thing] = catalogue.conifers if conifers else catalogue.trees(fine=False)
+    beds: tuple[tuple[float, Sequence[Thing], int], ...] = (
+        (1.4, catalogue.bushes, 3),
+        (0.55 * depth, trees, 2),
+    )
+    for back, things, count in beds:
         for share in (np.arange(count) + 0.5) / count:
-            thing = things[rng.integers(len(things))]
-            d = lot.front_line_m + lot.side * (lot.setback_m + depth + rng.normal(0, 0.3))
-            street.put(thing, low + share * (high - low), d, rng.uniform(0, 6))
+            thing = things[int(rng.integers(len(things)))]
+            at = lot.front_m[0] + share * lot.width_m * lot.along + (back + rng.normal(0, 0.3)) * inward
+            site.put_at(thing, at, rng.uniform(0, 6), lot.curb_m, shown=green.grows())
 
 
-def plant_front_gardens(street: Site, lots: list[Lot], rng: np.random.Generator) -> None:
-    """Front gardens get a hedge, a fence or a wall with a gap to walk through, and bushes behind."""
-    for lot in (lot for lot in lots if lot.setback_m > 1.0 and lot.use != "garden"):
-        left, right = lot.front_m
-        width = float(np.linalg.norm(right - left))
-        along = (right - left) / width
-        outward = np.array([along[1], -along[0]])
-        fence, depth = _border(rng)
-        length = (width - 1.6) / 2
-        yaw = float(np.arctan2(along[1], along[0])) - np.pi / 2
-        for middle in (0.2 + length / 2, width - 0.2 - length / 2):
-            skin = "plants" if depth > 0.4 else "furniture"
-            at = left + along * middle + outward * (lot.setback_m - 0.4)
-            street.put_at(Thing(fence(length, rng), skin, (depth, length)), at, yaw)
-        for share in np.linspace(0.12, 0.88, max(2, round(width / 1.6))):
-            s = lot.span_m[0] + share * (lot.span_m[1] - lot.span_m[0])
-            radius = float(rng.uniform(0.4, 0.7))
-            thing = Thing(bush_mesh(radius, "lime", rng), "plants", (1.5 * radius, 1.5 * radius))
-            street.put(thing, s, lot.front_line_m + lot.side * rng.uniform(1.2, 1.9), rng.uniform(0, 6))
+def plant_front_garden(site: Site, lot: Lot, green: Greenery) -> None:
+    """Behind a border with a gap to walk through, bushes between it and the house."""
+    rng, catalogue = green.rng, green.catalogue
+    fence, depth, skin = _kind_of_border(rng)
+    plants = skin == "plants"
+    length = (lot.width_m - 1.6) / 2
+    out = lot.setback_m - 0.35
+    for middle in (0.1 + length / 2, lot.width_m - 0.1 - length / 2):
+        shown = green.grows() if plants else True
+        at = lot.front_m[0] + middle * lot.along + out * lot.outward
+        for piece, shift in _pieces(length):
+            thing = Thing(fence(piece), skin, (depth, piece - 0.02))
+            site.put_at(thing, at + shift * lot.along, _yaw(lot), lot.curb_m, shown=shown)
+    for share in np.linspace(0.12, 0.88, max(2, round(lot.width_m / 2.0))):
+        thing = catalogue.bushes[rng.integers(len(catalogue.bushes))]
+        at = lot.front_m[0] + share * lot.width_m * lot.along + rng.uniform(0.9, out - 0.7) * lot.outward
+        site.put_at(thing, at, rng.uniform(0, 6), lot.curb_m, shown=green.grows())
 
 
-def _border(rng: np.random.Generator) -> tuple[Callable[[float, np.random.Generator], Mesh], float]:
-    """A maker of one kind of border, centred on the origin and running along +y, and its thickness."""
-    kind = rng.integers(3)
+def _border(
+    site: Site,
+    lot: Lot,
+    back_m: float,
+    length_m: float,
+    make: Callable[[float], Mesh],
+    skin: str,
+    depth: float,
+) -> None:
+    """A fence along the front of a lot, some way behind it."""
+    at = lot.front_m.mean(axis=0) - back_m * lot.outward
+    for piece, shift in _pieces(length_m):
+        thing = Thing(make(piece), skin, (depth, piece - 0.02))
+        site.put_at(thing, at + shift * lot.along, _yaw(lot), lot.curb_m)
+
+
+def _pieces(length_m: float) -> list[tuple[float, float]]:
+    """Lengths of the pieces of a fence, and where the middle of each lies."""
+    count = max(1, round(length_m / _BORDER_PIECE_M))
+    return [(length_m / count, ((k + 0.5) / count - 0.5) * length_m) for k in range(count)]
+
+
+def _yaw(lot: Lot) -> float:
+    """Heading of a thing that looks out of a lot and runs along its front."""
+    outward: Array = lot.outward
+    return float(np.arctan2(outward[1], outward[0]))
+
+
+def _kind_of_border(rng: np.random.Generator) -> tuple[Callable[[float], Mesh], float, str]:
+    """A maker of one kind of border, centred on the origin along y, with its thickness and skin."""
+    kind, skin = rng.integers(3), furniture_skin(int(rng.integers(3)))
     if kind == 0:
-        return lambda n, r: picket_fence(n).moved((0.0, -n / 2, 0.0)), 0.1
+        return lambda n: _centred(picket_fence(n), n), 0.1, skin
     if kind == 1:
-        return lambda n, r: garden_wall(n).moved((0.0, -n / 2, 0.0)), 0.26
-    return lambda n, r: hedge_mesh(n, 1.1, 0.5, "hornbeam", r), 0.6
+        return lambda n: _centred(garden_wall(n), n), 0.26, skin
+    return lambda n: hedge_mesh(n, 1.1, 0.5, "hornbeam", rng), 0.6, "plants"
+
+
+def _centred(mesh: Mesh, length_m: float) -> Mesh:
+    return mesh.moved((0.0, -length_m / 2, 0.0))

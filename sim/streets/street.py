@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,11 +13,16 @@ from estimator.config import Config
 from estimator.se3 import Array
 from sim.streets.furnishing import furnish
 from sim.streets.ground import build_ground
-from sim.streets.houses import build_houses, draw_lots
+from sim.streets.houses import build_houses
 from sim.streets.kinds import Ground, draw_network
-from sim.streets.layout import draw_layout
+from sim.streets.lamps import Lamp
+from sim.streets.lot import Facades
+from sim.streets.lots import draw_lots
 from sim.streets.network import Network, driven_line_m
 from sim.streets.scenery import Scenery, write_scenery
+
+
+TALL_KINDS = ("canyon",)
 
 
 class StreetConfig(Config):
@@ -26,6 +30,9 @@ class StreetConfig(Config):
 
     kind: Literal["straight", "bend", "crossroads"] = "bend"
     length_m: float = Field(70.0, ge=20.0, le=300.0)
+    facades: Facades = "varied"
+    parking: float = Field(0.6, ge=0.0, le=1.0)  # share of the bays that are taken
+    vegetation: float = Field(1.0, ge=0.0, le=1.0)  # share of the plants that grow
     slope_percent: float = Field(0.0, ge=0.0, le=15.0)  # the steepest that is driven over
     roughness: float = Field(0.0, ge=0.0, le=5.0)  # 1 to 5: ISO 8608 classes A to E
 
@@ -38,11 +45,13 @@ class Street:
         centerline_m: (N, 2) world xy of the driven lane, from the origin along +x, 0.25 m apart.
         network: Where roads, kerbs and lanes run, and how high.
         scenery: Everything in it.
+        lamps: What of it shines at night.
     """
 
     centerline_m: Array
     network: Network
     scenery: Scenery
+    lamps: tuple[Lamp, ...]
 
     def write_into(self, spec: mujoco.MjSpec) -> None:
         """Add textures, materials, meshes and geoms; nothing of it collides."""
@@ -53,10 +62,9 @@ def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
     """Draw and build a street; the same generator state gives the same street."""
     plan, ground, plots, houses, things, relief = rng.spawn(6)
     asked = Ground(config.slope_percent, 0.0, config.roughness)
-    layout = draw_layout(config.length_m, copy.deepcopy(plan))
     network = draw_network(config.kind, config.length_m, asked, plan, relief)
-    lots = draw_lots(layout, plots)
-    scenery = (
-        build_ground(network, ground) + build_houses(layout, lots, houses) + furnish(layout, lots, things)
-    )
-    return Street(driven_line_m(network.route, config.length_m), network, scenery)
+    driven_m = driven_line_m(network.route, config.length_m)
+    lots = draw_lots(network, config.facades, plots)
+    built = build_houses(lots, config.facades, config.kind in TALL_KINDS, network.relief, driven_m, houses)
+    furniture, lamps = furnish(network, lots, driven_m, config.parking, config.vegetation, things)
+    return Street(driven_m, network, build_ground(network, ground) + built + furniture, lamps)
