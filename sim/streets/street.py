@@ -21,7 +21,6 @@ from sim.streets.lots import draw_lots
 from sim.streets.network import Network, driven_line_m
 from sim.streets.scenery import Scenery, write_scenery
 
-
 TALL_KINDS = ("canyon",)
 
 
