@@ -18,9 +18,9 @@ from estimator.rig_file import read_rig
 from estimator.se3 import SE3, Array
 from sim.rendering.classic import ClassicRenderer
 from sim.rendering.quality import write_visual_settings
-from sim.rendering.view import View
 from sim.scene import assemble_scene, physics_spec
-from sim.sensing.capture import CameraArray, grey
+from sim.sensing.atmosphere import grey
+from sim.sensing.capture import CameraArray
 from sim.sensing.lens import make_lens
 from sim.sensing.sensor import SensorConfig, expose
 from sim.simulate import read_truth
@@ -41,12 +41,15 @@ MARGIN_PX = 12
 RADIUS_PX = 6.0
 REACH_PX = 11
 RIG = read_rig(Path(__file__).parents[2] / "scenarios" / "rigs" / "gap.yaml")
+FISHEYE_RIG = read_rig(Path(__file__).parents[2] / "scenarios" / "rigs" / "fisheye.yaml")
+DARK = SensorConfig(noise=0, exposure="fixed")  # a camera would open up for a dark world until balls glare
 CAMERAS = {
     "pinhole": RIG["front"].camera,
     "pinhole off centre, pixels not square": Camera("pinhole", (640, 400), (400.0, 380.0), (290.3, 221.7)),
     "pinhole of odd size": Camera("pinhole", (533, 401), (300.0, 300.0), (270.2, 190.9)),
     "brown_conrady": RIG["left_front"].camera,
     "kannala_brandt": RIG["rear"].camera,
+    "fisheye": FISHEYE_RIG["left_front"].camera,
 }
 
 
@@ -60,13 +63,14 @@ def test_balls_appear_where_the_camera_projects_them(camera: Camera) -> None:
     write_balls(spec, centers, radii_m)
     body = spec.worldbody.add_body(pos=body_pose.translation, quat=body_pose.quaternion_xyzw[[3, 0, 1, 2]])
     write_cameras(body, {"eye": lens.source}, {"eye": body_from_cam})
-    write_visual_settings(spec, lens.source.size_px)
+    write_visual_settings(spec, lens.largest_px)
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     with ClassicRenderer(model) as renderer:
-        picture = renderer.render(data, {"eye": View(lens.source, world_from_cam(data, "eye"))})["eye"]
-    image = expose(lens.apply([grey(picture.rgb)]), SensorConfig(noise=0), np.random.default_rng(0))
+        pictures = renderer.render(data, lens.views("eye", world_from_cam(data, "eye")))
+    light = lens.apply([grey(pictures[key].rgb) for key in lens.keys("eye")])
+    image = expose(light, 0.0, np.random.default_rng(0))
     centers_cam = world_from_cam(data, "eye").inverse().apply(centers)
     expected = [
         expected_centroid_px(camera, center, radius)
@@ -88,7 +92,7 @@ def test_truth_of_a_moving_car_explains_its_pictures() -> None:
     path_m = 12 * np.column_stack([np.sin(arc / 12), 1 - np.cos(arc / 12)])
     scene = assemble_scene(lambda spec: write_balls(spec, centers, radii_m), path_m, true_rig)
     config = DriveConfig(distance_m=4.0, rate_hz=2.0)
-    stage, cameras = Stage(scene, config), CameraArray(scene.lenses, SensorConfig(noise=0), 0)
+    stage, cameras = Stage(scene, config), CameraArray(scene.lenses, DARK, 0)
     errors_px = []
     with ClassicRenderer(scene.model) as renderer:
         for index in range(config.bundle_count):
