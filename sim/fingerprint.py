@@ -7,18 +7,17 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
-from sim.rendering.gl import probe_gl
+from sim.rendering.choice import RendererName, probe
 
-_PACKAGES = ("mujoco", "numpy", "opencv-python-headless", "scipy")
+_PACKAGES = ("mujoco", "numpy", "opencv-python-headless", "pyrender-maintained", "scipy")
 
 
 @cache
-def fingerprint() -> dict[str, str]:
+def fingerprint(renderer: RendererName = "classic") -> dict[str, str]:
     """Return names and versions by part; pictures made under equal fingerprints are equal to the byte."""
-    gl = probe_gl()
     packages = {name: version(name) for name in _PACKAGES}
     return {
-        "renderer": f"{gl.backend}: {gl.renderer_name or gl.problem}",
+        "renderer": f"{renderer}, {probe(renderer).found}",
         "cpu": _cpu_name(),
         "platform": platform.platform(),
         "python": platform.python_version(),

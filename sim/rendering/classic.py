@@ -11,9 +11,9 @@ import mujoco
 import numpy as np
 import numpy.typing as npt
 
-from estimator.camera import Camera
 from estimator.se3 import Array
 from sim.rendering.culling import in_view
+from sim.rendering.frustum import frustum_of
 from sim.rendering.gl import no_gl_error, open_context
 from sim.rendering.shadow_map import SharedShadowMap
 from sim.rendering.view import FAR_M, NEAR_M, DepthImage, Picture, View
@@ -111,19 +111,12 @@ def _only(model: mujoco.MjModel, drawn: npt.NDArray[np.bool_]) -> Iterator[None]
 
 def aim(eye: mujoco.MjvGLCamera, view: View) -> None:
     """Give MuJoCo's camera the pose and the frustum of a pinhole view."""
-    pose, pinhole = view.world_from_cam, view.pinhole
+    pose, frustum = view.world_from_cam, frustum_of(view.pinhole)
     eye.pos = pose.translation
     eye.forward, eye.up = pose.rotation[:, 2], -pose.rotation[:, 1]
-    left, right = (_edge_m(pinhole, 0, edge_px) for edge_px in (-0.5, pinhole.size_px[0] - 0.5))
-    top, bottom = (_edge_m(pinhole, 1, edge_px) for edge_px in (-0.5, pinhole.size_px[1] - 0.5))
-    eye.frustum_center, eye.frustum_width = (left + right) / 2, (right - left) / 2
-    eye.frustum_bottom, eye.frustum_top = -bottom, -top
+    eye.frustum_center, eye.frustum_width = frustum.center_m, frustum.half_width_m
+    eye.frustum_bottom, eye.frustum_top = frustum.bottom_m, frustum.top_m
     eye.frustum_near, eye.frustum_far = NEAR_M, FAR_M
-
-
-def _edge_m(pinhole: Camera, axis: int, edge_px: float) -> float:
-    """Where an edge of the image lies on the near plane; integer pixels are pixel centres."""
-    return NEAR_M * (edge_px - pinhole.center_px[axis]) / pinhole.focal_px[axis]
 
 
 def metres_of_z_buffer(z_buffer: DepthImage) -> DepthImage:

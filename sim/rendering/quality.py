@@ -1,6 +1,6 @@
 """How finely pictures are drawn: what each quality means to each renderer, written into the model.
 
-A model carries its quality with it (``visual`` settings and custom numbers), so a renderer needs nothing else.
+A model carries its quality with it (``visual`` settings and custom fields), so a renderer needs nothing else.
 """
 
 from __future__ import annotations
