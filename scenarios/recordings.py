@@ -26,7 +26,7 @@ def cached_recording(scenario: Scenario, seed: int, on_bundle: OnBundle) -> Iter
 
         on_bundle(0, scenario.world.drive.bundle_count)  # the street is built first, which takes seconds
         record(scenario.world, scenario.rig, seed, bag, on_bundle)
-        (bag / FINGERPRINT).write_text(json.dumps(fingerprint(), indent=1))
+        (bag / FINGERPRINT).write_text(json.dumps(fingerprint(scenario.world.renderer), indent=1))
 
     with RecordingCache.of_user().recording(recording_digest(scenario, seed), render) as bag:
         yield bag

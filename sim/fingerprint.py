@@ -7,7 +7,8 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 
-from sim.rendering.choice import RendererName, probe
+from sim.rendering.choice import probe
+from sim.rendering.names import RendererName
 
 _PACKAGES = ("mujoco", "numpy", "opencv-python-headless", "pyrender-maintained", "scipy")
 

@@ -11,6 +11,7 @@ from estimator.rig import Rig
 from estimator.se3 import Array
 from sim.faults.wrong_intrinsics import with_true_lenses
 from sim.light.outdoors import write_outdoors
+from sim.rendering.names import Quality
 from sim.rendering.quality import write_visual_settings
 from sim.seeds import rng_for
 from sim.sensing.lens import Lens, make_lens
@@ -48,10 +49,12 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
 
     ego_from_cams = miscalibrate(nominal, config.miscalibration, seed)
     true_rig = with_true_lenses(nominal, config.faults).with_extrinsics(ego_from_cams)
-    return assemble_scene(write_scenery, street.centerline_m, true_rig)
+    return assemble_scene(write_scenery, street.centerline_m, true_rig, config.quality)
 
 
-def assemble_scene(write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array, true_rig: Rig) -> Scene:
+def assemble_scene(
+    write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array, true_rig: Rig, quality: Quality = "standard"
+) -> Scene:
     """Compile the car with its true rig into whatever ``write_scenery`` adds around it."""
     lenses = {name: make_lens(mounted.camera) for name, mounted in true_rig.cameras.items()}
     sources = {name: lens.source for name, lens in lenses.items()}
@@ -62,7 +65,7 @@ def assemble_scene(write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array
     chassis = write_car(spec, car)
     ego_from_cams = {name: mounted.ego_from_cam for name, mounted in true_rig.cameras.items()}
     write_cameras(chassis, sources, ego_from_cams)
-    write_visual_settings(spec, _largest_px(lenses))
+    write_visual_settings(spec, _largest_px(lenses), quality)
     return Scene(spec.compile(), lenses, path_m, car)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Generator
 
 from estimator.rig import Rig
 from sim.faults.chain import FaultChain
-from sim.rendering.classic import ClassicRenderer
+from sim.rendering.choice import open_renderer
 from sim.scene import Scene, build_scene
 from sim.sensing.capture import CameraArray
 from sim.stage import Stage
@@ -31,7 +31,7 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
     scene = build_scene(config, rig, seed)
     stage = Stage(scene, config.drive)
     cameras = CameraArray(scene.lenses, config.sensor, seed)
-    with ClassicRenderer(scene.model) as renderer:
+    with open_renderer(config.renderer, scene.model) as renderer:
         for index in range(config.drive.bundle_count):
             time_s = config.drive.time_s(index)
             images = cameras.take(stage, renderer, index, time_s)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal, Self
+from typing import Self
 
 from pydantic import Field, model_validator
 
@@ -15,6 +15,7 @@ from sim.faults.fault import Fault, PassingFault
 from sim.faults.kinds import AnyFault
 from sim.frame import Frame
 from sim.light.weather import WeatherConfig
+from sim.rendering.names import Quality, RendererName
 from sim.sensing.sensor import SensorConfig
 from sim.streets.street import StreetConfig
 from sim.vehicle.drive import DriveConfig
@@ -32,7 +33,8 @@ class WorldConfig(Config):
     weather: WeatherConfig = WeatherConfig()
     sensor: SensorConfig = SensorConfig()
     faults: list[AnyFault] = Field([])
-    renderer: Literal["classic"] = "classic"
+    renderer: RendererName = "classic"
+    quality: Quality = "standard"
 
     @model_validator(mode="after")
     def _street_is_long_enough(self) -> Self:

@@ -12,18 +12,18 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
-from typing import Literal, get_args
+from typing import get_args
 
 import mujoco
 
 from estimator.errors import InputError
 from sim.rendering.classic import ClassicRenderer
 from sim.rendering.gl import REMEDY, choose_backend, probe_gl
+from sim.rendering.names import RendererName
 from sim.rendering.view import Renderer
 from sim.rendering.vulkan import REMEDY as VULKAN_REMEDY
 from sim.rendering.vulkan import vulkan_devices
 
-RendererName = Literal["classic", "filament", "pyrender"]
 RENDERER_NAMES: tuple[RendererName, ...] = get_args(RendererName)
 
 _TIMEOUT_S = 120

@@ -6,13 +6,11 @@ A model carries its quality with it (``visual`` settings and custom fields), so 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
 
 import mujoco
 
+from sim.rendering.names import Quality
 from sim.rendering.view import FAR_M, NEAR_M
-
-Quality = Literal["draft", "standard", "fine"]
 
 SHADOW_RADIUS_M = 60.0  # of what the sun's shadow map covers
 _QUALITY_FIELD = "rigtrue.quality"
