@@ -63,12 +63,24 @@ def car(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
     return _mesh(kind).moved((-profile[-1, 0] / 2, 0.0, 0.0)), skin
 
 
+def body(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
+    """The same as ``car`` without wheels, for one that moves."""
+    profile = np.array(kind.profile_m)
+    skin = Skin(paint_car(profile, kind.belt_m, kind.axles_m, rng), specular=0.5)
+    whole = merged([_hull(kind), _underside(kind)])
+    return whole.moved((-profile[-1, 0] / 2, 0.0, 0.0)), skin
+
+
 def outline_m(kind: CarKind) -> tuple[float, float]:
     """Length and width."""
     return kind.profile_m[-1][0], kind.width_m
 
 
 def _mesh(kind: CarKind) -> Mesh:
+    return merged([_hull(kind), *_wheels(kind), _underside(kind)])
+
+
+def _hull(kind: CarKind) -> Mesh:
     rings = np.array([_ring(x, z, kind) for x, z in kind.profile_m])
     a, b = rings[:-1], rings[1:]
     corners = np.stack([a[:, :-1], b[:, :-1], b[:, 1:], a[:, 1:]], axis=2).reshape(-1, 4, 3)
@@ -78,7 +90,7 @@ def _mesh(kind: CarKind) -> Mesh:
             quad = np.array([ring[k], ring[k + 1], ring[-2 - k], ring[-1 - k]])
             ends.append(quad[order])
     hull = np.concatenate([corners, np.array(ends)])
-    return merged([quads(hull, _project(hull)), *_wheels(kind)])
+    return quads(hull, _project(hull))
 
 
 def _ring(x: float, top: float, kind: CarKind) -> list[tuple[float, float, float]]:
@@ -125,5 +137,9 @@ def _wheels(kind: CarKind) -> list[Mesh]:
             parts.append(flat.moved((axle, side * (half + 0.005), WHEEL_M)))
             y0, y1 = sorted((side * (half - 0.01), side * (half - 0.22)))
             parts.append(box((axle - 0.15, y0, 0.0), (axle + 0.15, y1, 0.5), black))
-    parts.append(box((0.3, -half + 0.25, 0.15), (kind.profile_m[-1][0] - 0.3, half - 0.25, 0.4), black))
     return parts
+
+
+def _underside(kind: CarKind) -> Mesh:
+    black, half = rect(BLACK_AT_M, (0.5, 0.8)), kind.width_m / 2
+    return box((0.3, -half + 0.25, 0.15), (kind.profile_m[-1][0] - 0.3, half - 0.25, 0.4), black)
