@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import mujoco
 
 from estimator.rig import Rig
-from estimator.se3 import Array
 from sim.faults.wrong_intrinsics import with_true_lenses
 from sim.light.outdoors import write_outdoors
 from sim.rendering.names import Quality
@@ -17,8 +16,11 @@ from sim.seeds import rng_for
 from sim.sensing.lens import Lens, make_lens
 from sim.streets.street import build_street
 from sim.vehicle.cameras import write_cameras
-from sim.vehicle.car import CarConfig, write_car, write_ground
+from sim.vehicle.car import CarConfig, write_car
+from sim.vehicle.car_physics import physics_spec
+from sim.vehicle.ground_contact import Road
 from sim.vehicle.miscalibration import miscalibrate
+from sim.vehicle.route import Route, route_along
 from sim.world import WorldConfig
 
 
@@ -29,14 +31,16 @@ class Scene:
     Attributes:
         model: Compiled; one camera element a camera of the rig.
         lenses: By camera.
-        path_m: (N, 2) world polyline the car drives.
+        route: What the car drives.
         car: The car's sizes.
+        road: What its wheels feel; None for the plane z = 0.
     """
 
     model: mujoco.MjModel
     lenses: Mapping[str, Lens]
-    path_m: Array
+    route: Route
     car: CarConfig
+    road: Road | None = None
 
 
 def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
@@ -49,11 +53,17 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
 
     ego_from_cams = miscalibrate(nominal, config.miscalibration, seed)
     true_rig = with_true_lenses(nominal, config.faults).with_extrinsics(ego_from_cams)
-    return assemble_scene(write_scenery, street.centerline_m, true_rig, config.quality)
+    relief, closed = street.network.relief, street.network.route.closed
+    route = route_along(street.centerline_m, closed)
+    return assemble_scene(write_scenery, route, true_rig, None if relief.is_flat else relief, config.quality)
 
 
 def assemble_scene(
-    write_scenery: Callable[[mujoco.MjSpec], None], path_m: Array, true_rig: Rig, quality: Quality = "standard"
+    write_scenery: Callable[[mujoco.MjSpec], None],
+    route: Route,
+    true_rig: Rig,
+    road: Road | None = None,
+    quality: Quality = "standard",
 ) -> Scene:
     """Compile the car with its true rig into whatever ``write_scenery`` adds around it."""
     lenses = {name: make_lens(mounted.camera) for name, mounted in true_rig.cameras.items()}
@@ -61,23 +71,13 @@ def assemble_scene(
     car = CarConfig()
     spec = physics_spec()
     write_scenery(spec)
-    write_ground(spec)
     chassis = write_car(spec, car)
     ego_from_cams = {name: mounted.ego_from_cam for name, mounted in true_rig.cameras.items()}
     write_cameras(chassis, sources, ego_from_cams)
     write_visual_settings(spec, _largest_px(lenses), quality)
-    return Scene(spec.compile(), lenses, path_m, car)
+    return Scene(spec.compile(), lenses, route, car, road)
 
 
 def _largest_px(lenses: Mapping[str, Lens]) -> tuple[int, int]:
     widths, heights = zip(*(lens.largest_px for lens in lenses.values()), strict=True)
     return max(widths), max(heights)
-
-
-def physics_spec() -> mujoco.MjSpec:
-    """Return an empty spec with the solver settings that a car on stiff tyres needs."""
-    spec = mujoco.MjSpec()
-    spec.compiler.degree = False
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
-    return spec

@@ -11,7 +11,7 @@ from sim.scene import Scene, build_scene
 from sim.sensing.capture import CameraArray
 from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
-from sim.vehicle.drive import velocity_in_ego, world_from_ego
+from sim.vehicle.car_state import velocity_in_ego, world_from_ego
 from sim.world import Snapshot, Truth, WorldConfig
 
 CLOCK_START_NS = 1_000_000_000  # stamp of the drive's time zero
@@ -32,7 +32,7 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
     stage = Stage(scene, config.drive)
     cameras = CameraArray(scene.lenses, config.sensor, seed)
     with open_renderer(config.renderer, scene.model) as renderer:
-        for index in range(config.drive.bundle_count):
+        for index in range(stage.plan.bundle_count(config.drive.rate_hz)):
             time_s = config.drive.time_s(index)
             images = cameras.take(stage, renderer, index, time_s)
             truth = read_truth(scene, stage, time_s)

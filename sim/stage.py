@@ -5,8 +5,10 @@ from __future__ import annotations
 import mujoco
 
 from sim.scene import Scene
+from sim.vehicle.car import CHASSIS_JOINT
 from sim.vehicle.drive import DriveConfig
 from sim.vehicle.motion import Motion
+from sim.vehicle.plan import SpeedPlan
 
 
 class Stage:
@@ -14,12 +16,20 @@ class Stage:
 
     def __init__(self, scene: Scene, drive: DriveConfig) -> None:
         self._model, self._data = scene.model, mujoco.MjData(scene.model)
-        self._motion = Motion(scene.model, drive, scene.path_m, scene.car)
+        self._motion = Motion(drive, scene.route, scene.road, scene.car)
+        car, physics = scene.model.joint(CHASSIS_JOINT), self._motion.model
+        self._qpos = slice(car.qposadr[0], car.qposadr[0] + physics.nq)
+        self._qvel = slice(car.dofadr[0], car.dofadr[0] + physics.nv)
+
+    @property
+    def plan(self) -> SpeedPlan:
+        """Where the car means to be at any time, and how long the drive takes."""
+        return self._motion.plan
 
     def at(self, time_s: float) -> mujoco.MjData:
         """Return positions and velocities at a time since the drive began; good until the next call."""
         state = self._motion.state_at(time_s)
-        self._data.qpos[:], self._data.qvel[:] = state.qpos, state.qvel
+        self._data.qpos[self._qpos], self._data.qvel[self._qvel] = state.qpos, state.qvel
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_comPos(self._model, self._data)
         mujoco.mj_camlight(self._model, self._data)

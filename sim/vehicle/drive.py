@@ -1,80 +1,45 @@
-"""How the car is driven: rolled up to the start of the path at speed, then steered along it."""
+"""What is asked of a drive: how far, how fast, in which manner, on how slippery a road."""
 
 from __future__ import annotations
 
-import mujoco
-import numpy as np
+from typing import Literal
+
 from pydantic import Field
 
 from estimator.config import Config
-from estimator.se3 import SE3, Array
-from sim.vehicle.car import CHASSIS, DRIVEN, STEERED, WHEELS, CarConfig, ackermann_rad
-from sim.vehicle.follower import Follower
 
-RUN_UP_S = 2.0
-_SPEED_GAIN_PS = 2.0  # acceleration asked for, per speed error
-_HARDEST_PUSH_MPS2 = 4.0
+Profile = Literal["steady", "pull_away", "stop_and_go", "crawl", "hard_braking"]
 
 
 class DriveConfig(Config):
-    """Speed, length and bundle rate of a drive."""
+    """Speed, length, manner and bundle rate of a drive.
 
-    speed_mps: float = Field(5.0, gt=0.0, le=40.0)
-    distance_m: float = Field(50.0, gt=0.0, le=2000.0)
+    Attributes:
+        speed_mps: Cruising speed; bends are taken slower where ``lateral_mps2`` asks for it.
+        distance_m: Distance driven between the first bundle and the last.
+        rate_hz: Bundles a second.
+        profile: ``steady`` rolls from the first moment on; ``pull_away`` starts at a standstill;
+            ``stop_and_go`` stops again and again; ``crawl`` gropes along as one does when parking;
+            ``hard_braking`` stops as hard as the tyres allow after three fifths of the way, and drives on.
+        reverse: Drive backwards, from the far end of the distance to the start of the route.
+        grip: Coefficient of friction: 1 dry, 0.5 wet, 0.3 snow, 0.1 ice.
+        lateral_mps2: Highest acceleration in bends that is planned. By default what passengers like, and less
+            where the road does not give it; a number is obeyed even if the car then slides.
+    """
+
+    speed_mps: float = Field(5.0, ge=0.2, le=40.0)
+    distance_m: float = Field(50.0, gt=0.0, le=20_000.0)
     rate_hz: float = Field(10.0, ge=1.0, le=60.0)
+    profile: Profile = "steady"
+    reverse: bool = False
+    grip: float = Field(1.0, ge=0.1, le=1.2)
+    lateral_mps2: float | None = Field(None, ge=0.2, le=12.0)
 
     @property
     def bundle_count(self) -> int:
-        """Bundles at both ends of the drive and every period between."""
+        """Bundles at both ends of a drive that nothing slows; its plan knows how many there will be."""
         return int(self.distance_m / self.speed_mps * self.rate_hz + 1e-6) + 1
 
     def time_s(self, index: int) -> float:
         """Return when bundle ``index`` is taken, since the drive began."""
         return index / self.rate_hz
-
-
-def place_rolling(
-    model: mujoco.MjModel, data: mujoco.MjData, path_m: Array, speed_mps: float, car: CarConfig
-) -> None:
-    """Put the car at rest height on the straight before the path, rolling along it."""
-    heading = (path_m[1] - path_m[0]) / np.linalg.norm(path_m[1] - path_m[0])
-    yaw_rad = float(np.arctan2(heading[1], heading[0]))
-    mujoco.mj_resetData(model, data)
-    data.qpos[:2] = path_m[0] - speed_mps * RUN_UP_S * heading
-    data.qpos[3:7] = [np.cos(yaw_rad / 2), 0, 0, np.sin(yaw_rad / 2)]
-    data.qvel[:2] = speed_mps * heading
-    for wheel in WHEELS:
-        data.joint(f"{wheel}_spin").qvel[0] = speed_mps / car.wheel_radius_m
-    mujoco.mj_forward(model, data)
-
-
-def step(
-    model: mujoco.MjModel, data: mujoco.MjData, follower: Follower, speed_mps: float, car: CarConfig
-) -> None:
-    """Advance the physics by one step under the follower's steering and the speed controller."""
-    velocity_ego = velocity_in_ego(model, data)
-    angles_rad = ackermann_rad(follower.steer_rad(world_from_ego(data), speed_mps), car)
-    for wheel, angle_rad in zip(STEERED, angles_rad, strict=True):
-        data.actuator(f"{wheel}_servo").ctrl[0] = np.clip(
-            angle_rad, -car.steer_limit_rad, car.steer_limit_rad
-        )
-    push_mps2 = np.clip(
-        _SPEED_GAIN_PS * (speed_mps - velocity_ego[3]), -_HARDEST_PUSH_MPS2, _HARDEST_PUSH_MPS2
-    )
-    for wheel in DRIVEN:
-        torque_nm = car.mass_kg * push_mps2 * car.wheel_radius_m / len(DRIVEN)
-        data.actuator(f"{wheel}_motor").ctrl[0] = torque_nm
-    mujoco.mj_step(model, data)
-
-
-def world_from_ego(data: mujoco.MjData) -> SE3:
-    """Return the pose of the chassis as MuJoCo computed it last."""
-    chassis = data.body(CHASSIS)
-    return SE3(chassis.xmat.reshape(3, 3), chassis.xpos)
-
-
-def velocity_in_ego(model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-    """Return the (6,) angular (rad/s) and linear (m/s) velocity of the ego frame, in itself."""
-    velocity = np.zeros(6)
-    mujoco.mj_objectVelocity(model, data, mujoco.mjtObj.mjOBJ_XBODY.value, data.body(CHASSIS).id, velocity, 1)
-    return velocity

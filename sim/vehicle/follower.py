@@ -1,6 +1,8 @@
-"""Steer along a path by pure pursuit, and hold a speed.
+"""Steer along a route: the curvature that lies ahead, corrected for being beside the route or askew on it.
 
-Reference: Coulter 1992, "Implementation of the Pure Pursuit Path Tracking Algorithm".
+Works on the rear axle, whose motion is the same forwards and backwards.
+
+Reference: Snider 2009, "Automatic Steering Methods for Autonomous Automobile Path Tracking", sec. 2.4.
 """
 
 from __future__ import annotations
@@ -8,59 +10,40 @@ from __future__ import annotations
 import numpy as np
 
 from estimator.se3 import SE3, Array
+from sim.vehicle.route import Route
 
-LOOKAHEAD_S = 0.5
-SHORTEST_LOOKAHEAD_M = 2.5
-_SEARCH_M = 5.0
+_CORRECT_WITHIN_S = 0.4  # deviations decay over the distance driven in this time, or over the shortest one
+_SHORTEST_M = 2.0
+_PREVIEW_S = 0.1  # what steering and tyres lag behind
+_FURTHEST_ASTRAY_M = 3.0
 
 
 class Follower:
-    """Follows one path from its start to its end; remembers how far along it is, so loops may cross.
+    """Follows one route; remembers how far along it is, so loops may cross and be driven again and again.
 
-    Before the start and beyond the end the path goes on straight.
+    Attributes:
+        progress_m: How far along the route the rear axle is; negative before its first point.
     """
 
-    def __init__(self, path_m: Array, wheelbase_m: float, run_up_m: float) -> None:
-        """Take an (N, 2) world polyline; ``run_up_m`` of straight path are put before it."""
-        self._path_m = _with_straight_ends(path_m, run_up_m, _SEARCH_M + 30.0)
-        steps_m = np.linalg.norm(np.diff(self._path_m, axis=0), axis=1)
-        self._along_m = np.concatenate([[0.0], np.cumsum(steps_m)])
-        self._wheelbase_m = wheelbase_m
-        self._progress_m = 0.0
+    def __init__(self, route: Route, wheelbase_m: float, start_m: float) -> None:
+        self._route, self._wheelbase_m = route, wheelbase_m
+        self.progress_m = start_m
 
-    def steer_rad(self, world_from_ego: SE3, speed_mps: float) -> float:
-        """Return the bicycle-model steering angle that leads the rear axle back to the path."""
-        self._advance(world_from_ego.translation[:2])
-        lookahead_m = max(SHORTEST_LOOKAHEAD_M, LOOKAHEAD_S * speed_mps)
-        goal_world = self._point_at(self._progress_m + lookahead_m)
-        goal_ego = world_from_ego.rotation[:2, :2].T @ (goal_world - world_from_ego.translation[:2])
-        return float(np.arctan(2 * self._wheelbase_m * goal_ego[1] / (goal_ego @ goal_ego)))
-
-    def _advance(self, position_m: Array) -> None:
-        near = self._near()
-        distance_m, along = _distance_to_segments(self._path_m[near], position_m)
-        best = int(np.argmin(distance_m))
-        start_m, end_m = self._along_m[near][best : best + 2]
-        self._progress_m = max(self._progress_m, float(start_m + along[best] * (end_m - start_m)))
-
-    def _near(self) -> slice:
-        first, last = np.searchsorted(
-            self._along_m, [self._progress_m - _SEARCH_M, self._progress_m + _SEARCH_M]
-        )
-        return slice(max(int(first) - 1, 0), int(last) + 1)
-
-    def _point_at(self, along_m: float) -> Array:
-        return np.array([np.interp(along_m, self._along_m, self._path_m[:, axis]) for axis in (0, 1)])
+    def steer_rad(self, world_from_ego: SE3, speed_mps: float, backwards: bool = False) -> float:
+        """Return the bicycle-model steering angle that leads the rear axle along the route."""
+        position_m = world_from_ego.translation[:2]
+        self.progress_m = self._route.nearest_m(position_m, self.progress_m)
+        direction = self._route.direction(self.progress_m)
+        travel = -world_from_ego.rotation[:2, 0] if backwards else world_from_ego.rotation[:2, 0]
+        aside_m = _cross(direction, position_m - self._route.point_m(self.progress_m))
+        askew = _cross(direction, travel)  # sine of the angle
+        over_m = max(_SHORTEST_M, _CORRECT_WITHIN_S * speed_mps)
+        aside_m = min(max(aside_m, -_FURTHEST_ASTRAY_M), _FURTHEST_ASTRAY_M)
+        ahead_pm = float(self._route.curvature_pm(self.progress_m + _PREVIEW_S * speed_mps))
+        curvature_pm = ahead_pm - 2 * askew / over_m - aside_m / over_m**2
+        steer_rad = float(np.arctan(self._wheelbase_m * curvature_pm))
+        return -steer_rad if backwards else steer_rad
 
 
-def _with_straight_ends(path_m: Array, before_m: float, after_m: float) -> Array:
-    first = (path_m[0] - path_m[1]) / np.linalg.norm(path_m[0] - path_m[1])
-    last = (path_m[-1] - path_m[-2]) / np.linalg.norm(path_m[-1] - path_m[-2])
-    return np.concatenate([[path_m[0] + before_m * first], path_m, [path_m[-1] + after_m * last]])
-
-
-def _distance_to_segments(path_m: Array, position_m: Array) -> tuple[Array, Array]:
-    """Return the distance to each of the N - 1 segments and where on it (0 to 1) the nearest point lies."""
-    start, step = path_m[:-1], np.diff(path_m, axis=0)
-    along = np.clip(((position_m - start) * step).sum(1) / np.maximum((step**2).sum(1), 1e-12), 0, 1)
-    return np.linalg.norm(start + along[:, None] * step - position_m, axis=1), along
+def _cross(one: Array, other: Array) -> float:
+    return float(one[0] * other[1] - one[1] * other[0])

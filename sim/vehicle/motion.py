@@ -13,37 +13,60 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.vehicle.car import CarConfig
-from sim.vehicle.drive import RUN_UP_S, DriveConfig, place_rolling, step
+from sim.vehicle.car_physics import STEP_S, car_model
+from sim.vehicle.drive import DriveConfig
+from sim.vehicle.driver import Driver
 from sim.vehicle.follower import Follower
+from sim.vehicle.ground_contact import GroundContact, Road
+from sim.vehicle.plan import plan_speed
+from sim.vehicle.route import Route, backwards_from
+from sim.vehicle.start import place_on_route
+from sim.vehicle.tyre import set_slip_speed
 
-STEP_S = 0.002
 KEPT_S = 1.0
+_RESERVE_S = 0.2  # kept beyond, for shutters that have closed after the newest bundle
+_RUN_UP_S = 2.0
+_DRIVER_EVERY = 5  # steps
 
 
 @dataclass(frozen=True, eq=False)
 class MotionState:
-    """Generalised positions and velocities of the model at one instant."""
+    """Generalised positions and velocities of the car at one instant."""
 
     qpos: Array
     qvel: Array
 
 
 class Motion:
-    """One drive along a path; time zero is when the ego origin passes the path's first point."""
+    """One drive along a route; time zero is when the ego origin passes its first point, or starts from there.
 
-    def __init__(self, model: mujoco.MjModel, config: DriveConfig, path_m: Array, car: CarConfig) -> None:
-        """Take an (N, 2) world path; rolls up to its first point."""
-        self._model, self._data, self._config, self._car = model, mujoco.MjData(model), config, car
-        model.opt.timestep = STEP_S
-        self._follower = Follower(path_m, car.wheelbase_m, config.speed_mps * RUN_UP_S + 1.0)
-        self._states: deque[MotionState] = deque(maxlen=round(KEPT_S / STEP_S) + 2)
-        self._newest = 0  # index of the newest state in steps since time zero
-        place_rolling(model, self._data, path_m, config.speed_mps, car)
-        self._keep()
-        heading = path_m[1] - path_m[0]
-        while (self._data.qpos[:2] - path_m[0]) @ heading < 0:
-            self._step()
-        self._newest = 0
+    Attributes:
+        model: The physics of the car alone.
+        plan: Where the car means to be at any time.
+    """
+
+    def __init__(self, config: DriveConfig, route: Route, road: Road | None, car: CarConfig) -> None:
+        """Roll up to the start of the drive.
+
+        Args:
+            config: What is asked of the drive.
+            route: In the direction of its lane; a drive in reverse starts at its far end.
+            road: What the wheels feel; None for the plane z = 0.
+            car: The car's sizes.
+        """
+        self._route = backwards_from(route, config.distance_m) if config.reverse else route
+        self.model = car_model(car, config.grip)
+        self.plan = plan_speed(config, self._route)
+        self._data, self._car = mujoco.MjData(self.model), car
+        self._ground = None if road is None else GroundContact(self.model, road, car)
+        self._states: deque[MotionState] = deque(maxlen=round((KEPT_S + _RESERVE_S) / STEP_S) + 2)
+        start_mps = self.plan.speed_mps(0.0)
+        run_up_m = start_mps * _RUN_UP_S
+        place_on_route(self.model, self._data, self._route, -run_up_m, config.reverse, start_mps, road, car)
+        self._follower = Follower(self._route, car.wheelbase_m, -run_up_m)
+        self._driver = Driver(self.model, self._follower, self.plan, car, config.reverse)
+        self._steps, self._zero = 0, round(_RUN_UP_S / STEP_S)
+        self._run_up(still=start_mps == 0.0)
 
     def state_at(self, time_s: float) -> MotionState:
         """Return the state at a time, interpolated between physics steps.
@@ -51,25 +74,50 @@ class Motion:
         Times may be asked for in any order, but none ``KEPT_S`` older than the newest.
         """
         at = time_s / STEP_S
-        while self._newest < at:
+        while self._newest < at + 0.5:
             self._step()
-        back = self._newest - at
-        if back > len(self._states) - 1:
-            raise ValueError(f"{time_s:.3f} s is forgotten; newest is {self._newest * STEP_S:.3f} s")
-        newer = int(back)
-        after = self._states[-1 - newer]
-        if back == newer:
-            return after
-        before, share = self._states[-2 - newer], back - newer  # of a step, back from the later state
-        change = np.zeros(self._model.nv)
-        mujoco.mj_differentiatePos(self._model, change, 1.0, after.qpos, before.qpos)
-        qpos = after.qpos.copy()
-        mujoco.mj_integratePos(self._model, qpos, change, share)
-        return MotionState(qpos, after.qvel + share * (before.qvel - after.qvel))
+        before, share = self._pair(at, time_s)
+        qpos = before[0].qpos.copy()
+        if share:
+            change = np.zeros(self.model.nv)
+            mujoco.mj_differentiatePos(self.model, change, 1.0, before[0].qpos, before[1].qpos)
+            mujoco.mj_integratePos(self.model, qpos, change, share)
+        # A step's velocity is that of the way to it: of the time half a step before.
+        before, share = self._pair(at + 0.5, time_s)
+        return MotionState(qpos, before[0].qvel + share * (before[1].qvel - before[0].qvel))
 
-    def _step(self) -> None:
-        step(self._model, self._data, self._follower, self._config.speed_mps, self._car)
-        self._newest += 1
+    @property
+    def _newest(self) -> int:
+        """Index of the newest state in steps since time zero."""
+        return self._steps - self._zero
+
+    def _pair(self, at: float, time_s: float) -> tuple[tuple[MotionState, MotionState], float]:
+        """Return the states around a time in steps, and how far between them it lies."""
+        before = int(np.floor(at))
+        oldest = self._newest - len(self._states) + 1
+        if before < oldest:
+            raise ValueError(f"{time_s:.3f} s is forgotten; newest is {self._newest * STEP_S:.3f} s")
+        index = before - oldest
+        return (self._states[index], self._states[min(index + 1, len(self._states) - 1)]), at - before
+
+    def _run_up(self, still: bool) -> None:
+        """Let springs and speed settle; then time zero is when the start is passed."""
+        self._keep()
+        start_m, direction = self._route.point_m(0.0), self._route.direction(0.0)
+        while self._newest < 0 if still else (self._data.qpos[:2] - start_m) @ direction < 0:
+            self._step(rolling_up=True)
+        self._zero = self._steps
+
+    def _step(self, rolling_up: bool = False) -> None:
+        if self._steps % _DRIVER_EVERY == 0:
+            self._driver.act(self._data, 0.0 if rolling_up else self._newest * STEP_S, rolling_up)
+            set_slip_speed(
+                self.model, "front_left_contact", self._car.tyre, float(np.hypot(*self._data.qvel[:2]))
+            )
+        if self._ground is not None:
+            self._ground.follow(self._data, self._steps)
+        mujoco.mj_step(self.model, self._data)
+        self._steps += 1
         self._keep()
 
     def _keep(self) -> None:

@@ -18,7 +18,7 @@ from estimator.rig_file import read_rig
 from estimator.se3 import SE3, Array
 from sim.rendering.classic import ClassicRenderer
 from sim.rendering.quality import write_visual_settings
-from sim.scene import assemble_scene, physics_spec
+from sim.scene import assemble_scene
 from sim.sensing.atmosphere import grey
 from sim.sensing.capture import CameraArray
 from sim.sensing.lens import make_lens
@@ -26,8 +26,10 @@ from sim.sensing.sensor import SensorConfig, expose
 from sim.simulate import read_truth
 from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam, write_cameras
+from sim.vehicle.car_physics import physics_spec
 from sim.vehicle.drive import DriveConfig
 from sim.vehicle.miscalibration import MiscalibrationConfig, miscalibrate
+from sim.vehicle.route import route_along
 from tests.ball_world import (
     balls_in_view,
     expected_centroid_px,
@@ -89,8 +91,8 @@ def test_truth_of_a_moving_car_explains_its_pictures() -> None:
     true_rig = RIG.with_extrinsics(miscalibrate(RIG, MiscalibrationConfig(), 3))
     centers, radii_m = _balls_around_the_bend()
     arc = np.arange(0.0, 40.0, 0.25)
-    path_m = 12 * np.column_stack([np.sin(arc / 12), 1 - np.cos(arc / 12)])
-    scene = assemble_scene(lambda spec: write_balls(spec, centers, radii_m), path_m, true_rig)
+    line_m = 12 * np.column_stack([np.sin(arc / 12), 1 - np.cos(arc / 12)])
+    scene = assemble_scene(lambda spec: write_balls(spec, centers, radii_m), route_along(line_m), true_rig)
     config = DriveConfig(distance_m=4.0, rate_hz=2.0)
     stage, cameras = Stage(scene, config), CameraArray(scene.lenses, DARK, 0)
     errors_px = []

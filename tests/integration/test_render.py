@@ -13,7 +13,7 @@ from estimator.se3 import SE3
 from sim.rendering.classic import SUN_DISTANCE_M, ClassicRenderer
 from sim.rendering.quality import write_visual_settings
 from sim.rendering.view import View
-from sim.scene import physics_spec
+from sim.vehicle.car_physics import physics_spec
 from sim.vehicle.cameras import write_cameras
 
 SOURCE = Camera("pinhole", (240, 160), (150.0, 150.0), (119.5, 79.5))
