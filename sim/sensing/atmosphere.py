@@ -27,8 +27,11 @@ class Atmosphere(Protocol):
         of a wide lens. Must give the same light for the same ray however it is cut.
         """
 
-    def cover(self, light: GreyImage, camera: str, index: int) -> GreyImage:
-        """Return the (H, W) light of a whole image with what is on the lens (drops, flare) laid over it."""
+    def cover(self, light: GreyImage, camera: str, time_s: float) -> GreyImage:
+        """Return the (H, W) light of a whole image with what is on the lens (drops, flare) laid over it.
+
+        ``time_s`` is the middle of its exposure.
+        """
 
 
 class ClearAir:
@@ -39,7 +42,7 @@ class ClearAir:
     def light(self, picture: Picture, view: View, camera: str, time_s: float) -> GreyImage:
         return grey(picture.rgb)
 
-    def cover(self, light: GreyImage, camera: str, index: int) -> GreyImage:
+    def cover(self, light: GreyImage, camera: str, time_s: float) -> GreyImage:
         return light
 
 

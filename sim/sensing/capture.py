@@ -43,7 +43,7 @@ class CameraArray:
 
         With a rolling shutter that is the middle row's. Bundles are taken in the order of their times.
         """
-        lights = self._lights(stage, renderer, index, time_s)
+        lights = self._lights(stage, renderer, time_s)
         images = {}
         for name, light in lights.items():
             control = self._controls[name]
@@ -51,11 +51,11 @@ class CameraArray:
             control.watch(images[name])
         return images
 
-    def _lights(self, stage: Stage, renderer: Renderer, index: int, time_s: float) -> dict[str, GreyImage]:
+    def _lights(self, stage: Stage, renderer: Renderer, time_s: float) -> dict[str, GreyImage]:
         """Return what falls on each sensor, once the exposure is set."""
         lights = None
         if self._last_s is None:
-            lights = self._through_lenses(self._still(stage, renderer, time_s), index)
+            lights = self._through_lenses(self._still(stage, renderer, time_s), time_s)
             for name, light in lights.items():
                 self._controls[name].settle(light)
         else:
@@ -64,8 +64,8 @@ class CameraArray:
         self._last_s = time_s
         shutters = {name: self._shutter(control) for name, control in self._controls.items()}
         if any(not shutter.is_instant for shutter in shutters.values()):
-            return self._through_lenses(self._sweep.take(stage, renderer, shutters, time_s), index)
-        return lights or self._through_lenses(self._still(stage, renderer, time_s), index)
+            return self._through_lenses(self._sweep.take(stage, renderer, shutters, time_s), time_s)
+        return lights or self._through_lenses(self._still(stage, renderer, time_s), time_s)
 
     def _shutter(self, control: ExposureControl) -> Shutter:
         return Shutter(self._config.rolling_shutter_s, blur_s(control.now, self._config.motion_blur))
@@ -84,8 +84,8 @@ class CameraArray:
             for name, lens in self._lenses.items()
         }
 
-    def _through_lenses(self, lights: Mapping[str, GreyImage], index: int) -> dict[str, GreyImage]:
+    def _through_lenses(self, lights: Mapping[str, GreyImage], time_s: float) -> dict[str, GreyImage]:
         return {
-            name: self._developments[name].through_lens(light, self._atmosphere, index)
+            name: self._developments[name].through_lens(light, self._atmosphere, time_s)
             for name, light in lights.items()
         }

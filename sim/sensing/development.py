@@ -30,11 +30,11 @@ class Development:
             transmission(size_px, config.vignetting, self._rng("vignetting")) if config.vignetting else None
         )
 
-    def through_lens(self, light: GreyImage, atmosphere: Atmosphere, index: int) -> GreyImage:
-        """Return what light of (H, W) falls on the sensor of image ``index``."""
+    def through_lens(self, light: GreyImage, atmosphere: Atmosphere, time_s: float) -> GreyImage:
+        """Return what light of (H, W) falls on the sensor at a time."""
         if self._kernel is not None:
             light = defocus(light, self._kernel)
-        light = atmosphere.cover(light, self._camera, index)
+        light = atmosphere.cover(light, self._camera, time_s)
         if self._dirt is not None:
             light = self._dirt.over(light)
         return light if self._passed is None else light * self._passed
