@@ -30,7 +30,7 @@ RIGTRUE = (sys.executable, "-c", "from eval.cli import main; main()")
         ("run first_drive --sed 1", "No such option: --sed"),
         ("run", "Missing argument 'SCENARIO'"),
         ("rum first_drive", "No such command 'rum'"),
-        ("list colours", "'scenarios', 'estimators', 'metrics'"),
+        ("list colours", "'scenarios', 'sweeps', 'rigs', 'estimators', 'metrics'"),
         ("report .", "is no run folder, wanted one that holds scores.json"),
         ("replay none --rig {rig}", "none: no such recording"),
         ("replay . --rig none.yaml", "none.yaml: no such rig file"),

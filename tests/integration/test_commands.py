@@ -92,6 +92,8 @@ def test_report_is_built_again(command: Command, tiny: str, tmp_path: Path) -> N
     ("topic", "expected"),
     [
         ("scenarios", "first_drive"),
+        ("sweeps", "five seeds"),
+        ("rigs", "left_front, right_front"),
         ("estimators", "estimator.online:OnlineEstimator"),
         ("metrics", "extrinsics.worst.rotation_deg.at_10m"),
     ],
