@@ -13,14 +13,14 @@ from sim.shapes.mesh import Mesh, box, merged
 
 def bush_mesh(radius_m: float, species: str, rng: np.random.Generator) -> Mesh:
     """A bush standing at the origin."""
-    count = 9
+    count = 6
     turn, out = 2.39996 * np.arange(count), np.sqrt((np.arange(count) + 0.3) / count)
     spread = 0.72 * radius_m * out * rng.uniform(0.75, 1.15, count)
     z = radius_m * (0.38 + 0.62 * (1 - out**2) * rng.uniform(0.6, 1.2, count))
     clusters = np.column_stack([spread * np.cos(turn), spread * np.sin(turn), z])
     middle = np.array([0.0, 0.0, 0.3 * radius_m])
-    sizes = 0.4 * radius_m * rng.uniform(0.7, 1.2, count)
-    return foliage(clusters, sizes, middle, species, round(260 + 240 * radius_m), (0.045, 0.09), rng)
+    sizes = 0.46 * radius_m * rng.uniform(0.7, 1.2, count)
+    return foliage(clusters, sizes, middle, species, round(110 + 190 * radius_m), (0.06, 0.12), rng)
 
 
 def hedge_mesh(
@@ -41,7 +41,7 @@ def hedge_mesh(
 
 def _coat(length: float, height: float, width: float, species: str, rng: np.random.Generator) -> Mesh:
     """Leaves on both faces and on top; the top stands in the light."""
-    count = round(length * (2 * height + width) * 26)
+    count = round(length * (2 * height + width) * 15)
     on_top = rng.random(count) < width / (2 * height + width)
     side = rng.choice([-1.0, 1.0], count)
     across = np.where(
@@ -53,12 +53,12 @@ def _coat(length: float, height: float, width: float, species: str, rng: np.rand
         [np.where(on_top, 0.2 * side, side), rng.normal(0, 0.2, count), np.where(on_top, 1.0, 0.3)]
     )
     open_share = np.where(on_top, 0.85, 0.25 + 0.5 * z / height)
-    return leaf_kites(spots, out, open_share, leaves(species), rng.uniform(0.05, 0.1, count), rng)
+    return leaf_kites(spots, out, open_share, leaves(species), rng.uniform(0.06, 0.13, count), rng)
 
 
 def tuft_mesh(species: str, rng: np.random.Generator) -> Mesh:
     """Weeds and grass knee-high and lower, standing at the origin."""
-    count = 46
+    count = 22
     spots = np.column_stack([rng.normal(0, 0.13, (count, 2)), 0.05 + np.abs(rng.normal(0, 0.09, count))])
     out = np.column_stack([spots[:, :2] * 3.0, np.full(count, 0.6)])
     return leaf_kites(

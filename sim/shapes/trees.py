@@ -47,8 +47,8 @@ SPECIES = (
     Species("copper", 0, (5.0, 7.0), 0.3, 0.34, 0.6, 30, 0.34, 0.2),
 )
 SPRUCE = Species("spruce", 0, (4.5, 8.0), 0.22, 0.06, -0.12, 38, 0.3, 1.0)
-FINE_LEAVES, COARSE_LEAVES = 1700, 420
-_FINE_LEAF_M, _COARSE_LEAF_M = (0.09, 0.16), (0.17, 0.3)
+FINE_LEAVES, COARSE_LEAVES = 1150, 260
+_FINE_LEAF_M, _COARSE_LEAF_M = (0.1, 0.19), (0.2, 0.36)
 
 
 def tree_mesh(species: Species, fine: bool, rng: np.random.Generator) -> Mesh:
@@ -65,10 +65,18 @@ def tree_mesh(species: Species, fine: bool, rng: np.random.Generator) -> Mesh:
     radius = 0.05 + 0.011 * height
     low = species.clear * height
     parts = [tube(trunk, radius * np.linspace(1.25, 0.22, len(trunk)), 7, bark(species.bark))]
-    for start, end in list(zip(starts, ends, strict=True))[:: 1 if fine else 2]:
+    for start, end in list(zip(starts, ends, strict=True))[:: 2 if fine else 5]:
         parts.append(_bough(start, end, 0.36 * radius, species.bark, rng))
     middle = np.array([*trunk[-1, :2] * 0.6, (low + height) / 2])
-    sizes = species.fullness * species.spread * height * rng.uniform(0.7, 1.25, len(ends))
+    if not fine:  # fewer clusters, as full together
+        ends = ends[::2]
+    sizes = (
+        species.fullness
+        * species.spread
+        * height
+        * rng.uniform(0.7, 1.25, len(ends))
+        * (1.0 if fine else 1.3)
+    )
     count = FINE_LEAVES if fine else COARSE_LEAVES
     leaf_m = _FINE_LEAF_M if fine else _COARSE_LEAF_M
     parts.append(foliage(ends, sizes, middle, species.leaf, count, leaf_m, rng))
@@ -110,4 +118,4 @@ def _bough(start: Array, end: Array, radius_m: float, kind: int, rng: np.random.
     share = np.linspace(0, 1, 4)[:, None]
     axis = start + (end - start) * share + np.array([0, 0, 0.3]) * share * (1 - share)
     axis[1:3] += rng.normal(0, 0.05, (2, 3))
-    return tube(axis, radius_m * np.array([1.0, 0.7, 0.45, 0.15]), 4, bark(kind))
+    return tube(axis, radius_m * np.array([1.0, 0.7, 0.45, 0.15]), 3, bark(kind))

@@ -19,7 +19,7 @@ from sim.streets.catalogue import Catalogue, furniture_skin
 from sim.streets.lot import Lot
 from sim.streets.placing import KerbSite, Site, Thing
 
-FINE_TREES_M = 13.0  # from the driven line
+FINE_TREES_M = 10.0  # from the driven line
 _BORDER_PIECE_M = 4.0  # of a fence, so that it follows the ground
 
 
