@@ -63,6 +63,19 @@ see_that_it_renders() {
     can_render || { .venv/bin/rigtrue doctor >&2 || true; exit 1; }
 }
 
+can_draw_filament() {
+    .venv/bin/python -c 'import sys; from sim.rendering.choice import probe; sys.exit(probe("filament").problem is not None)'
+}
+
+offer_filament() {
+    local packages="libvulkan1 mesa-vulkan-drivers"
+    if can_draw_filament; then return; fi
+    if command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; then
+        (apt_install $packages) || true  # judged below
+    fi
+    can_draw_filament || say "optional: the renderer 'filament' needs Vulkan (what Debian calls '$packages'); all else works"
+}
+
 has_browser() {
     local name
     for name in chromium chromium-browser google-chrome; do
@@ -97,7 +110,7 @@ say_how_to_get_chrome() {
 }
 
 case "${1:-}" in
-    "") make_venv; install_packages; see_that_it_renders; say "ready" ;;
+    "") make_venv; install_packages; see_that_it_renders; offer_filament; say "ready" ;;
     browser) install_browser ;;
     *) say "got '$1', wanted nothing or 'browser'"; exit 2 ;;
 esac

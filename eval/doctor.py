@@ -15,7 +15,7 @@ from estimator.errors import InputError
 from eval.out_folder import make_folder
 from eval.provenance import package_version
 from scenarios.cache import RecordingCache
-from sim.rendering.gl import probe_gl
+from sim.rendering.choice import RENDERER_NAMES, probe
 
 _MIN_PYTHON = (3, 11)
 _MIN_MEMORY_GB = 2.0
@@ -24,17 +24,25 @@ _MIN_DISK_GB = 1.0
 
 @dataclass(frozen=True)
 class Check:
-    """One thing looked at: what was found, and what would mend it if it is not well."""
+    """One thing looked at: what was found, and what would mend it if it is not well.
+
+    What is ``optional`` may be missing: only scenarios that ask for it need it.
+    """
 
     name: str
     ok: bool
     found: str
     remedy: str = ""
+    optional: bool = False
+
+    @property
+    def verdict(self) -> str:
+        return "ok" if self.ok else "none" if self.optional else "BAD"
 
 
 def diagnose() -> list[Check]:
-    """Look at everything; the renderer is tried in a process of its own."""
-    return [_python(), _packages(), _renderer(), *_cache(), _memory()]
+    """Look at everything; renderers are tried in processes of their own."""
+    return [_python(), _packages(), _opengl(), *_other_renderers(), *_cache(), _memory()]
 
 
 def _python() -> Check:
@@ -62,11 +70,17 @@ def _required_packages() -> Iterator[str]:
             yield name.group()
 
 
-def _renderer() -> Check:
-    probe = probe_gl()
-    if probe.problem is not None:
-        return Check("opengl", False, f"{probe.backend}: {probe.problem}", probe.remedy or "")
-    return Check("opengl", True, f"{probe.backend}: {probe.renderer_name}")
+def _opengl() -> Check:
+    result = probe("classic")
+    return Check("opengl", result.problem is None, result.found, result.remedy or "")
+
+
+def _other_renderers() -> Iterator[Check]:
+    """Name the renderers that scenarios may choose instead; nothing is wrong with a machine without them."""
+    for name in RENDERER_NAMES:
+        if name != "classic":
+            result = probe(name)
+            yield Check(name, result.problem is None, result.found, result.remedy or "", optional=True)
 
 
 def _cache() -> Iterator[Check]:

@@ -16,7 +16,7 @@ from eval.sweep_pool import run_jobs
 from eval.sweep_results import collect_rows, write_parquet
 from scenarios.cache import RecordingCache
 from scenarios.sweep import Sweep, load_sweep
-from sim.rendering.gl import require_gl
+from sim.rendering.choice import require_renderer
 
 SWEEPS = Path("reports/sweeps")
 _PLAN = "sweep.yaml"
@@ -42,7 +42,7 @@ def sweep(reference: str, workers: int, out: Path | None, console: Console) -> S
     folder = out or SWEEPS / plan.name
     jobs = [plan_job(planned, folder) for planned in plan.runs]
     waiting = [job for job in jobs if not job.is_finished()]
-    _require_gl_for(waiting)
+    _require_renderers_of(waiting)
     _open_folder(folder, plan)
     if len(waiting) < len(jobs):
         console.say(f"{len(jobs) - len(waiting)} of {len(jobs)} runs are there already")
@@ -52,11 +52,11 @@ def sweep(reference: str, workers: int, out: Path | None, console: Console) -> S
     return SweepResult(folder, rows, len(failures))
 
 
-def _require_gl_for(jobs: list[SweepJob]) -> None:
+def _require_renderers_of(jobs: list[SweepJob]) -> None:
     """Refuse once, instead of in every run, what this machine cannot render."""
     cache = RecordingCache.of_user()
-    if not all(cache.holds(job.digest) for job in jobs):
-        require_gl()
+    for renderer in sorted({job.renderer for job in jobs if not cache.holds(job.digest)}):
+        require_renderer(renderer)
 
 
 def _run_waiting(jobs: list[SweepJob], workers: int, console: Console) -> dict[SweepJob, str]:

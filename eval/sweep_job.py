@@ -14,6 +14,7 @@ from eval.run import RunRequest, run, run_name
 from scenarios.digest import recording_digest
 from scenarios.load import load_scenario
 from scenarios.sweep import SweepRun
+from sim.rendering.names import RendererName
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,7 @@ class SweepJob:
         name: Name of the scenario.
         cameras: The cameras that are estimated, for the rows of a run that failed.
         digest: Of the recording.
+        renderer: What would draw it.
         code: Digest of the code that would make the result.
     """
 
@@ -32,6 +34,7 @@ class SweepJob:
     name: str
     cameras: tuple[str, ...]
     digest: str
+    renderer: RendererName
     code: str
 
     def is_finished(self) -> bool:
@@ -55,7 +58,8 @@ def plan_job(planned: SweepRun, folder: Path) -> SweepJob:
     request = RunRequest(planned.scenario, planned.seed, planned.estimator, out=folder / name)
     code = code_digest(find_estimator(planned.estimator))
     digest = recording_digest(scenario, planned.seed)
-    return SweepJob(request, scenario.name, scenario.rig.estimated_names, digest, code)
+    renderer = scenario.world.renderer
+    return SweepJob(request, scenario.name, scenario.rig.estimated_names, digest, renderer, code)
 
 
 def run_job(job: SweepJob) -> str | None:

@@ -18,7 +18,7 @@ import mujoco
 
 from estimator.errors import InputError
 from sim.rendering.classic import ClassicRenderer
-from sim.rendering.gl import REMEDY, choose_backend, probe_gl
+from sim.rendering.gl import REMEDY, choose_backend, no_gl_error, probe_gl
 from sim.rendering.names import RendererName
 from sim.rendering.view import Renderer
 from sim.rendering.vulkan import REMEDY as VULKAN_REMEDY
@@ -76,6 +76,8 @@ def require_renderer(name: RendererName) -> None:
         InputError: It cannot; the line names the packages to install.
     """
     result = probe(name)
+    if result.problem is not None and name == "classic":
+        raise no_gl_error(result.problem)
     if result.problem is not None:
         able = [other for other in RENDERER_NAMES if other != name and probe(other).problem is None]
         raise InputError(

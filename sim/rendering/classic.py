@@ -42,16 +42,24 @@ class ClassicRenderer:
         except mujoco.FatalError as error:
             raise no_gl_error(error) from error
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
-        self._shadow_map = SharedShadowMap(self._context)
+        has_shadows = self._context.shadowSize > 0
+        self._shadow_map = SharedShadowMap(self._context) if has_shadows else None
 
     def render(
         self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
     ) -> dict[str, Picture]:
         self._gl.make_current()
         middle = np.mean([view.world_from_cam.translation for view in views.values()], axis=0)
+        if self._shadow_map is None:
+            return self._pictures(data, views, middle, depth)
         self._draw_shadow_map(data, middle)
         with self._shadow_map.frozen():
-            return {name: self._picture(data, view, middle, depth) for name, view in views.items()}
+            return self._pictures(data, views, middle, depth)
+
+    def _pictures(
+        self, data: mujoco.MjData, views: Mapping[str, View], middle_m: Array, depth: bool
+    ) -> dict[str, Picture]:
+        return {name: self._picture(data, view, middle_m, depth) for name, view in views.items()}
 
     def _draw_shadow_map(self, data: mujoco.MjData, middle_m: Array) -> None:
         self._update_scene(data, middle_m)
@@ -121,4 +129,5 @@ def aim(eye: mujoco.MjvGLCamera, view: View) -> None:
 
 def metres_of_z_buffer(z_buffer: DepthImage) -> DepthImage:
     """Undo the perspective depth of OpenGL: 0 at the near plane, 1 at the far one."""
-    return np.asarray(NEAR_M * FAR_M / (FAR_M - z_buffer * np.float32(FAR_M - NEAR_M)), np.float32)
+    depth_m = NEAR_M * FAR_M / (FAR_M - z_buffer * np.float32(FAR_M - NEAR_M))
+    return np.asarray(np.minimum(depth_m, FAR_M), np.float32)
