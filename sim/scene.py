@@ -15,11 +15,11 @@ from sim.rendering.quality import write_visual_settings
 from sim.seeds import rng_for
 from sim.sensing.lens import Lens, make_lens
 from sim.streets.street import build_street
-from sim.vehicle.cameras import write_cameras
+from sim.vehicle.cameras import MovingCameras, write_cameras
 from sim.vehicle.car import CarConfig, write_car
 from sim.vehicle.car_physics import physics_spec
 from sim.vehicle.ground_contact import Road
-from sim.vehicle.miscalibration import miscalibrate
+from sim.vehicle.miscalibration import STEADY, Mounts, miscalibrate, moving_mounts
 from sim.vehicle.route import Route, route_along
 from sim.world import WorldConfig
 
@@ -32,12 +32,14 @@ class Scene:
         model: Compiled; one camera element a camera of the rig.
         lenses: By camera.
         route: What the car drives.
+        cameras: Those whose mounting changes.
         car: The car's sizes.
         road: What its wheels feel; None for the plane z = 0.
     """
 
     model: mujoco.MjModel
     lenses: Mapping[str, Lens]
+    cameras: MovingCameras
     route: Route
     car: CarConfig
     road: Road | None = None
@@ -45,6 +47,7 @@ class Scene:
 
 def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
     """Build the world of a seed; only its drive remains to be done."""
+    mounts = moving_mounts(nominal, config.miscalibration, seed)
     street = build_street(config.street, rng_for(seed, "street"))
 
     def write_scenery(spec: mujoco.MjSpec) -> None:
@@ -55,7 +58,8 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
     true_rig = with_true_lenses(nominal, config.faults).with_extrinsics(ego_from_cams)
     relief, closed = street.network.relief, street.network.route.closed
     route = route_along(street.centerline_m, closed)
-    return assemble_scene(write_scenery, route, true_rig, None if relief.is_flat else relief, config.quality)
+    road = None if relief.is_flat else relief
+    return assemble_scene(write_scenery, route, true_rig, road, mounts, config.quality)
 
 
 def assemble_scene(
@@ -63,6 +67,7 @@ def assemble_scene(
     route: Route,
     true_rig: Rig,
     road: Road | None = None,
+    mounts: Mounts = STEADY,
     quality: Quality = "standard",
 ) -> Scene:
     """Compile the car with its true rig into whatever ``write_scenery`` adds around it."""
@@ -75,7 +80,8 @@ def assemble_scene(
     ego_from_cams = {name: mounted.ego_from_cam for name, mounted in true_rig.cameras.items()}
     write_cameras(chassis, sources, ego_from_cams)
     write_visual_settings(spec, _largest_px(lenses), quality)
-    return Scene(spec.compile(), lenses, route, car, road)
+    model = spec.compile()
+    return Scene(model, lenses, MovingCameras(model, mounts), route, car, road)
 
 
 def _largest_px(lenses: Mapping[str, Lens]) -> tuple[int, int]:

@@ -8,6 +8,7 @@ from sim.scene import Scene
 from sim.vehicle.car import CHASSIS_JOINT
 from sim.vehicle.drive import DriveConfig
 from sim.vehicle.motion import Motion
+from sim.vehicle.mount_events import check_times
 from sim.vehicle.plan import SpeedPlan
 
 
@@ -16,7 +17,9 @@ class Stage:
 
     def __init__(self, scene: Scene, drive: DriveConfig) -> None:
         self._model, self._data = scene.model, mujoco.MjData(scene.model)
+        self._cameras = scene.cameras
         self._motion = Motion(drive, scene.route, scene.road, scene.car)
+        check_times(scene.cameras.mounts.events, self.plan.duration_s)
         car, physics = scene.model.joint(CHASSIS_JOINT), self._motion.model
         self._qpos = slice(car.qposadr[0], car.qposadr[0] + physics.nq)
         self._qvel = slice(car.dofadr[0], car.dofadr[0] + physics.nv)
@@ -29,6 +32,7 @@ class Stage:
     def at(self, time_s: float) -> mujoco.MjData:
         """Return positions and velocities at a time since the drive began; good until the next call."""
         state = self._motion.state_at(time_s)
+        self._cameras.put(time_s)
         self._data.qpos[self._qpos], self._data.qvel[self._qvel] = state.qpos, state.qvel
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_comPos(self._model, self._data)

@@ -1,0 +1,131 @@
+"""What can happen to a camera's mounting during a drive, as settings: when, to whom, how much.
+
+A movement is an angle about one axis and a length in one direction, both drawn by seed, times a share that
+depends on time only: 0 before the event, 1 at its full size.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Literal
+
+import numpy as np
+from pydantic import Field, field_validator
+
+from estimator.config import Config
+from estimator.errors import InputError
+from estimator.rig import Rig
+
+ALL = "all"
+_PARTS = ((0.5, 1.0), (0.3, 0.87), (0.2, 1.11))  # of a vibration: weight, frequency ratio; they beat
+
+
+class MountEvent(Config):
+    """What all events say; a list's place seeds the directions, so times and sizes may change alone.
+
+    Attributes:
+        at_s: When it begins, since the drive began.
+        camera: One name, several, or ``all``, which leaves out the reference.
+        rotation_deg: Angle at full size.
+        translation_mm: Length at full size.
+    """
+
+    at_s: float = Field(ge=0.0, le=7200.0)
+    camera: str | list[str]
+    rotation_deg: float = Field(0.0, ge=0.0, le=30.0)
+    translation_mm: float = Field(0.0, ge=0.0, le=1000.0)
+
+    @field_validator("camera", mode="before")
+    @classmethod
+    def _is_a_name_or_several(cls, value: object) -> object:
+        names = value if isinstance(value, list) else [value]
+        if not names or not all(isinstance(name, str) and name for name in names):
+            raise ValueError(f"got {value!r}, wanted the name of a camera, a list of names, or all")
+        return value
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The cameras as written."""
+        return (self.camera,) if isinstance(self.camera, str) else tuple(self.camera)
+
+    def moves(self, camera: str) -> bool:
+        """Tell whether it happens to that camera, which is not the reference."""
+        return self.camera == ALL or camera in self.names
+
+    def share(self, time_s: float, phases: Sequence[float]) -> float:
+        """Return how much of the movement there is at a time; ``phases`` are random, 0 to 1."""
+        raise NotImplementedError
+
+
+class Knock(MountEvent):
+    """A blow: at once, and for good."""
+
+    kind: Literal["knock"]
+
+    def share(self, time_s: float, phases: Sequence[float]) -> float:
+        return 1.0 if time_s >= self.at_s else 0.0
+
+
+class Creep(MountEvent):
+    """A mounting that gives way evenly for a time."""
+
+    kind: Literal["creep"]
+    duration_s: float = Field(gt=0.0, le=7200.0)
+
+    def share(self, time_s: float, phases: Sequence[float]) -> float:
+        return min(max((time_s - self.at_s) / self.duration_s, 0.0), 1.0)
+
+
+class Thermal(MountEvent):
+    """Warming and cooling: to and fro, as a sine."""
+
+    kind: Literal["thermal"]
+    period_s: float = Field(ge=1.0, le=7200.0)
+
+    def share(self, time_s: float, phases: Sequence[float]) -> float:
+        return float(np.sin(2 * np.pi * max(time_s - self.at_s, 0.0) / self.period_s))
+
+
+class Vibration(MountEvent):
+    """A loose bracket: trembles about its place, stronger and weaker by turns, never beyond the sizes."""
+
+    kind: Literal["vibration"]
+    frequency_hz: float = Field(ge=1.0, le=200.0)
+    duration_s: float | None = Field(None, gt=0.0, le=7200.0)
+
+    def share(self, time_s: float, phases: Sequence[float]) -> float:
+        since_s = time_s - self.at_s
+        if since_s < 0.0 or (self.duration_s is not None and since_s >= self.duration_s):
+            return 0.0
+        return sum(
+            weight * float(np.sin(2 * np.pi * (ratio * self.frequency_hz * since_s + phase)))
+            for (weight, ratio), phase in zip(_PARTS, phases, strict=True)
+        )
+
+
+PHASES = len(_PARTS)
+AnyMountEvent = Annotated[Knock | Creep | Thermal | Vibration, Field(discriminator="kind")]
+
+
+def check_events(events: Sequence[MountEvent], rig: Rig) -> None:
+    """Raise InputError where an event names a camera that is not in the rig, or the reference."""
+    there = f"there are: {', '.join(rig.estimated_names)}, or all"
+    for index, event in enumerate(events):
+        for name in event.names:
+            key = f"miscalibration.events[{index}].camera"
+            if name == rig.reference:
+                raise InputError(
+                    f"{key}: got {name!r}, the reference camera, whose pose is known and fixed; {there}"
+                )
+            if name not in (*rig.cameras, ALL):
+                raise InputError(f"{key}: got {name!r}, wanted a camera of the rig; {there}")
+
+
+def check_times(events: Sequence[MountEvent], end_s: float) -> None:
+    """Raise InputError where an event begins after the drive's end."""
+    for index, event in enumerate(events):
+        if event.at_s > end_s:
+            raise InputError(
+                f"miscalibration.events[{index}].at_s: got {event.at_s:g}, "
+                f"wanted no more than {end_s:.2f}, when the drive ends"
+            )
