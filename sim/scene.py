@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import mujoco
 
 from estimator.rig import Rig
 from sim.faults.wrong_intrinsics import with_true_lenses
-from sim.light.outdoors import write_outdoors
+from sim.light.atmosphere import Atmosphere
+from sim.light.outdoors import glows_of, write_outdoors
+from sim.light.surroundings import surroundings_of
 from sim.rendering.names import Quality
 from sim.rendering.quality import write_visual_settings
 from sim.seeds import rng_for
@@ -35,6 +37,7 @@ class Scene:
         cameras: Those whose mounting changes.
         car: The car's sizes.
         road: What its wheels feel; None for the plane z = 0.
+        atmosphere: Light and weather between renderer and lenses; None for clear air by day.
     """
 
     model: mujoco.MjModel
@@ -43,23 +46,28 @@ class Scene:
     route: Route
     car: CarConfig
     road: Road | None = None
+    atmosphere: Atmosphere | None = None
 
 
 def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
     """Build the world of a seed; only its drive remains to be done."""
     mounts = moving_mounts(nominal, config.miscalibration, seed)
     street = build_street(config.street, rng_for(seed, "street"))
-
-    def write_scenery(spec: mujoco.MjSpec) -> None:
-        street.write_into(spec)
-        write_outdoors(spec, config.weather, seed)
-
     ego_from_cams = miscalibrate(nominal, config.miscalibration, seed)
     true_rig = with_true_lenses(nominal, config.faults).with_extrinsics(ego_from_cams)
     relief, closed = street.network.relief, street.network.route.closed
     route = route_along(street.centerline_m, closed)
     road = None if relief.is_flat else relief
-    return assemble_scene(write_scenery, route, true_rig, road, mounts, config.quality)
+    cameras = {name: mounted.camera for name, mounted in true_rig.cameras.items()}
+    surroundings = surroundings_of(street.network, street.lamps)
+    atmosphere = Atmosphere(config.weather, surroundings, cameras, seed)
+    glows = glows_of(street.scenery) if atmosphere.in_channels else None
+
+    def write_light(spec: mujoco.MjSpec) -> None:
+        write_outdoors(spec, config.weather, seed, glows)
+
+    scene = assemble_scene(street.write_into, route, true_rig, road, mounts, config.quality, write_light)
+    return replace(scene, atmosphere=atmosphere)
 
 
 def assemble_scene(
@@ -69,8 +77,9 @@ def assemble_scene(
     road: Road | None = None,
     mounts: Mounts = STEADY,
     quality: Quality = "standard",
+    write_light: Callable[[mujoco.MjSpec], None] = lambda spec: None,
 ) -> Scene:
-    """Compile the car with its true rig into whatever ``write_scenery`` adds around it."""
+    """Compile the car with its true rig into whatever ``write_scenery`` adds; ``write_light`` comes last."""
     lenses = {name: make_lens(mounted.camera) for name, mounted in true_rig.cameras.items()}
     sources = {name: lens.source for name, lens in lenses.items()}
     car = CarConfig()
@@ -79,6 +88,7 @@ def assemble_scene(
     chassis = write_car(spec, car)
     ego_from_cams = {name: mounted.ego_from_cam for name, mounted in true_rig.cameras.items()}
     write_cameras(chassis, sources, ego_from_cams)
+    write_light(spec)
     write_visual_settings(spec, _largest_px(lenses), quality)
     model = spec.compile()
     return Scene(model, lenses, MovingCameras(model, mounts), route, car, road)

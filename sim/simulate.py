@@ -6,6 +6,7 @@ from collections.abc import Generator
 
 from estimator.rig import Rig
 from sim.faults.chain import FaultChain
+from sim.light.on_board import OnBoardAtmosphere
 from sim.rendering.choice import open_renderer
 from sim.scene import Scene, build_scene
 from sim.sensing.capture import CameraArray
@@ -30,7 +31,8 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
     faults = FaultChain(config.faults, rig.cameras, seed)
     scene = build_scene(config, rig, seed)
     stage = Stage(scene, config.drive)
-    cameras = CameraArray(scene.lenses, config.sensor, seed)
+    air = None if scene.atmosphere is None else OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
+    cameras = CameraArray(scene.lenses, config.sensor, seed, air)
     with open_renderer(config.renderer, scene.model) as renderer:
         for index in range(stage.plan.bundle_count(config.drive.rate_hz)):
             time_s = config.drive.time_s(index)

@@ -36,7 +36,7 @@ class Channels:
 
 def split(picture: RgbImage) -> Channels:
     """Take the channels out of a picture of a world that went through ``write_channels``."""
-    day, root, albedo = (np.ascontiguousarray(picture[..., k], np.float32) for k in range(3))
+    day, root, albedo = (channel.astype(np.float32) for channel in cv2.split(picture))
     return Channels(day, root * root * np.float32(1 / 255), albedo)
 
 

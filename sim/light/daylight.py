@@ -51,7 +51,7 @@ def daylight_of(weather: WeatherConfig) -> Daylight:
     level = (
         on_ladder(clouds, (1.0, 0.92, 0.83, 0.74, 0.65, 0.56))
         * on_ladder(weather.dusk, (1.0, 0.45, 0.25, 0.13, 0.07, 0.035))
-        * on_ladder(weather.night, (1.0, 0.02, 0.012, 0.007, 0.004, 0.002))
+        * on_ladder(weather.night, (1.0, 0.012, 0.006, 0.003, 0.0015, 0.0007))
     )
     return Daylight(
         direction(weather.sun_elevation_deg, weather.sun_azimuth_deg),

@@ -2,16 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import mujoco
 
+from sim.light.channels import GlowImage, write_channels
 from sim.light.daylight import daylight_of, write_lights
 from sim.light.sky import write_sky
 from sim.light.weather import WeatherConfig
 from sim.seeds import rng_for
+from sim.streets.scenery import Scenery
 
 
-def write_outdoors(spec: mujoco.MjSpec, weather: WeatherConfig, seed: int) -> None:
-    """Add the light of a weather to a finished world."""
+def glows_of(scenery: Scenery) -> dict[str, GlowImage]:
+    """Return what the skins of a scenery shed, by the name that their textures get."""
+    return {f"texture_{name}": skin.glow for name, skin in scenery.skins.items() if skin.glow is not None}
+
+
+def write_outdoors(
+    spec: mujoco.MjSpec, weather: WeatherConfig, seed: int, glows: Mapping[str, GlowImage] | None = None
+) -> None:
+    """Add the light of a weather to an otherwise finished world.
+
+    Args:
+        spec: The world; textures and colours become channels if ``glows`` is given.
+        weather: The weather.
+        seed: Draws the clouds.
+        glows: What shines by itself, by texture name (``sim.light.channels``); None for pictures of daylight.
+    """
     daylight = daylight_of(weather)
-    write_lights(spec, daylight, False)
-    write_sky(spec, daylight, min(1.0, weather.night), False, rng_for(seed, "weather.sky"))
+    if glows is not None:
+        write_channels(spec, glows)
+    write_lights(spec, daylight, glows is not None)
+    night = min(1.0, weather.night)
+    write_sky(spec, daylight, night, glows is not None, rng_for(seed, "weather.sky"))

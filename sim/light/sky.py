@@ -15,7 +15,7 @@ SUN_RADIUS_DEG = 0.35  # as a lens and a little haze show it
 _FACE_PX = 512
 _HAZE, _ZENITH = np.array([238.0, 239.0, 240.0]), np.array([128.0, 164.0, 210.0])
 _CLOUD, _GREY_HIGH, _GREY_LOW = 246.0, 214.0, 246.0
-_TOWN_GLOW, _NIGHT_ZENITH = 1.6, 0.25  # levels of a clear night over a town
+_TOWN_GLOW, _NIGHT_ZENITH = 0.7, 0.12  # levels of a clear night over a town
 
 
 def write_sky(

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import mujoco
 import numpy as np
+import numpy.typing as npt
 
 from estimator.se3 import Array
 from sim.paint.canvas import RgbImage
@@ -22,10 +23,12 @@ class Skin:
     Attributes:
         image: (H, W, 3) uint8 RGB.
         specular: Strength of the highlight, 0 to 1.
+        glow: (H, W) uint8 level of the light that it sheds by itself at night; None for none.
     """
 
     image: RgbImage
     specular: float = 0.0
+    glow: npt.NDArray[np.uint8] | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,44 @@
+"""The atmosphere as the cameras of one drive meet it: it asks how the car moves at each instant."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import mujoco
+
+from sim.light.atmosphere import Atmosphere, Instant
+from sim.light.channels import FloatImage
+from sim.rendering.view import Picture, View
+from sim.vehicle.car_state import velocity_in_ego, world_from_ego
+
+
+class OnBoardAtmosphere:
+    """Fulfils ``sim.sensing.atmosphere.Atmosphere``; remembers only the instant asked for last."""
+
+    def __init__(
+        self, atmosphere: Atmosphere, model: mujoco.MjModel, at: Callable[[float], mujoco.MjData]
+    ) -> None:
+        """``at`` gives the state of the world at a time (``Stage.at``)."""
+        self._atmosphere, self._model, self._at = atmosphere, model, at
+        self._instant: Instant | None = None
+
+    @property
+    def needs_depth(self) -> bool:
+        """Whether ``light`` wants pictures with depth."""
+        return self._atmosphere.needs_depth
+
+    def light(self, picture: Picture, view: View, camera: str, time_s: float) -> FloatImage:
+        """Return the (H, W) light of a picture; ``at`` has been asked for its time last."""
+        return self._atmosphere.light(picture, view, self._moving(time_s))
+
+    def cover(self, light: FloatImage, camera: str, time_s: float) -> FloatImage:
+        """Return the (H, W) light of a camera's image with what is on its lens laid over it."""
+        return self._atmosphere.cover(light, camera, time_s)
+
+    def _moving(self, time_s: float) -> Instant:
+        if self._instant is None or self._instant.time_s != time_s:
+            data = self._at(time_s)
+            pose = world_from_ego(data)
+            velocity_mps = pose.rotation @ velocity_in_ego(self._model, data)[3:]
+            self._instant = Instant(time_s, pose, velocity_mps)
+        return self._instant

@@ -1,0 +1,105 @@
+"""Light that is not the sky's: street lamps, tunnel lamps, headlights, and what they leave dark.
+
+A picture in channels is put together again: daylight as far as it reaches, lamps on the albedo, what glows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from estimator.se3 import SE3
+from sim.light.channels import Channels
+from sim.light.daylight import daylight_of
+from sim.light.headlights import headlight_light, tail_lamps
+from sim.light.lamps import REACH_M, LightSource, lamp_light
+from sim.light.surfaces import Floats, Surfaces
+from sim.light.tunnels import CoveredRoad, TunnelShade
+from sim.light.weather import WeatherConfig, on_ladder
+
+_FARTHEST_M = 140.0  # lamps beyond light nothing that a camera resolves
+
+
+class Relight:
+    """The lamps of one world and how much daylight there is left for them to replace."""
+
+    def __init__(
+        self,
+        weather: WeatherConfig,
+        lamps: Sequence[LightSource],
+        tunnel_lamps: Sequence[LightSource],
+        tunnels: Sequence[CoveredRoad],
+    ) -> None:
+        """Lamps come as they would shine on a dark night in a dark tunnel."""
+        self._daylight = daylight_of(weather).level
+        at_dusk = on_ladder(weather.dusk, (0.0, 0.0, 0.3, 1.0, 1.0, 1.0))
+        lit = max(min(1.0, weather.night), at_dusk)
+        # The darker the night, the fewer lamps burn: always the same ones at the same severity.
+        share = on_ladder(weather.night, (1.0, 1.0, 0.8, 0.6, 0.4, 0.2))
+        in_tunnel = on_ladder(weather.tunnel, (0.0, 4.0, 2.2, 1.2, 0.6, 0.3))
+        self.lamps = (
+            *(dimmed(lamp, lit) for lamp in _some(lamps, share) if lit > 0),
+            *(dimmed(lamp, in_tunnel) for lamp in tunnel_lamps if in_tunnel > 0),
+        )
+        self.headlights = max(lit, min(1.0, weather.dusk), min(1.0, weather.tunnel))
+        self.glow = max(lit, 0.6 * min(1.0, weather.dusk))
+        self._shade = TunnelShade(tunnels, on_ladder(weather.tunnel, (20.0, 9.0, 6.5, 5.0, 4.0, 3.2)))
+        self._is_shaded = bool(tunnels) and weather.tunnel > 0
+        self._tunnel_depth = min(1.0, weather.tunnel)
+
+    def near(self, surfaces: Surfaces) -> list[LightSource]:
+        """Return the lamps that matter to a view."""
+        eye = surfaces.eye_m
+        return [
+            lamp for lamp in self.lamps if np.hypot(*(np.array(lamp.position_m[:2]) - eye[:2])) < _FARTHEST_M
+        ]
+
+    def daylight(self, surfaces: Surfaces) -> Floats | None:
+        """Return the (h, w) share of daylight that reaches each sample; None for all everywhere."""
+        if not self._is_shaded:
+            return None
+        share = self._shade.daylight(surfaces.points_m)
+        return np.asarray(1 - np.float32(self._tunnel_depth) * (1 - share))
+
+    def lamplight(self, surfaces: Surfaces, sources: Sequence[LightSource], world_from_ego: SE3) -> Floats:
+        """Return (h, w) illuminance by all lamps."""
+        tails = [dimmed(lamp, self.headlights) for lamp in tail_lamps(world_from_ego)]
+        low, high = surfaces.points_m.reshape(3, -1).min(1), surfaces.points_m.reshape(3, -1).max(1)
+        lit = [lamp for lamp in (*sources, *tails) if _within(lamp, low, high)]
+        total = lamp_light(lit, surfaces.points_m, surfaces.normals)
+        beams = headlight_light(world_from_ego, surfaces.points_m, surfaces.normals)
+        return np.asarray(total + np.float32(self.headlights) * beams)
+
+    def together(
+        self,
+        channels: Channels,
+        surfaces: Surfaces,
+        daylight: Floats | None,
+        lamplight: Floats,
+        wet: Floats | None,
+    ) -> Floats:
+        """Return the (H, W) picture in levels; ``wet`` is the (h, w) share of albedo that is left."""
+        share = np.ones_like(lamplight) if daylight is None else daylight
+        by_day = np.float32(self._daylight) * share
+        if wet is not None:
+            by_day, lamplight = by_day * wet, lamplight * wet
+        sky = surfaces.sky
+        day = channels.day * np.where(sky, np.float32(self._daylight), surfaces.enlarged(by_day))
+        lit = day + channels.albedo * surfaces.enlarged(lamplight)
+        return np.asarray(lit + channels.glow * np.where(sky, np.float32(1), np.float32(self.glow)))
+
+
+def dimmed(lamp: LightSource, factor: float) -> LightSource:
+    """Return a lamp that gives ``factor`` times its light."""
+    return LightSource(lamp.position_m, lamp.aim, factor * lamp.intensity, lamp.cone, lamp.radius_m)
+
+
+def _some(lamps: Sequence[LightSource], share: float) -> list[LightSource]:
+    """Return a share of the lamps, evenly spread."""
+    return [lamp for k, lamp in enumerate(lamps) if (k * 0.6180339887) % 1.0 < share]
+
+
+def _within(lamp: LightSource, low: Floats, high: Floats) -> bool:
+    at = np.array(lamp.position_m)
+    return bool(((at > low - REACH_M) & (at < high + REACH_M))[:2].all())
