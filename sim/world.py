@@ -39,7 +39,7 @@ class WorldConfig(Config):
     @model_validator(mode="after")
     def _street_is_long_enough(self) -> Self:
         needed_m = self.drive.distance_m + STREET_MARGIN_M
-        if self.street.length_m < needed_m:
+        if not self.street.is_closed and self.street.length_m < needed_m:
             raise ValueError(
                 f"street.length_m is {self.street.length_m:g}; "
                 f"drive.distance_m {self.drive.distance_m:g} needs at least {needed_m:g}"

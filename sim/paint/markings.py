@@ -7,17 +7,11 @@ import numpy as np
 from estimator.se3 import Array
 from sim.paint.paving import lay_setts
 from sim.paint.road import PAINT, RoadCanvas
-from sim.streets.layout import Layout
 from sim.streets.relief import BUMP_LENGTH_M
-from sim.streets.road import BAY_M, ZEBRA_M, Road
+from sim.streets.road import AISLE_BAY_M, BAY_M, ZEBRA_M, Road
 
 GUTTER_M = 0.3
 _ARROW_EVERY_M = 27.0
-
-
-def zebra_starts_m(layout: Layout) -> tuple[float, ...]:
-    """Where zebra crossings of the main road begin: before the junction's mouth."""
-    return (layout.mouth_m[0] - ZEBRA_M - 0.3,)
 
 
 def paint_road(road: RoadCanvas, plan: Road, rng: np.random.Generator) -> None:
@@ -34,9 +28,9 @@ def paint_road(road: RoadCanvas, plan: Road, rng: np.random.Generator) -> None:
     if plan.style in ("street", "minor"):
         _paint_center_line(road, plan)
     if plan.style == "street":
-        for s in np.arange(14.0, plan.path.end_m, _ARROW_EVERY_M):
-            if plan.is_free(s, s + 4.0):
-                _arrow(road, s, 0.0)
+        _paint_arrows(road, plan)
+    if plan.style == "aisle":
+        _paint_aisle(road, plan)
     for s in plan.limits_m:
         _limit(road, s)
     for s in plan.bumps_m:
@@ -44,7 +38,9 @@ def paint_road(road: RoadCanvas, plan: Road, rng: np.random.Generator) -> None:
 
 
 def _pave_gutters(road: RoadCanvas, plan: Road, rng: np.random.Generator) -> None:
-    """Setts along the kerbs, but not across mouths."""
+    """Setts along the kerbs, but not across mouths, and not where all is plain."""
+    if plan.wear < 0.5 or plan.style == "aisle":
+        return
     for side in (1, -1):
         kerb, start = plan.edge_m(side), road.start_m
         mouths = sorted((low, high) for low, high, at in plan.mouths_m if at == side)
@@ -104,9 +100,18 @@ def _paint_bays(road: RoadCanvas, plan: Road, side: int, rng: np.random.Generato
         road.mark(s + BAY_M - 0.8, edge[0], s + BAY_M, edge[1])
 
 
-def _arrow(road: RoadCanvas, s: float, d: float) -> None:
-    road.mark(s, d - 0.08, s + 2.0, d + 0.08)
-    head = np.array([road.at(s + 2.0, d - 0.35), road.at(s + 3.4, d), road.at(s + 2.0, d + 0.35)])
+def _paint_arrows(road: RoadCanvas, plan: Road) -> None:
+    for strip in plan.strips:
+        for s in np.arange(14.0 if strip.forward else 27.5, plan.span_m[1], _ARROW_EVERY_M):
+            if plan.is_free(s - 4.0, s + 4.0):
+                _arrow(road, s, strip.d_m, 1 if strip.forward else -1)
+
+
+def _arrow(road: RoadCanvas, s: float, d: float, ahead: int) -> None:
+    low, high = sorted((s, s + 2.0 * ahead))
+    road.mark(low, d - 0.08, high, d + 0.08)
+    neck, tip = s + 2.0 * ahead, s + 3.4 * ahead
+    head = np.array([road.at(neck, d - 0.35), road.at(tip, d), road.at(neck, d + 0.35)])
     road.canvas.fill(head, PAINT, 0.9, road.worn)
 
 
@@ -131,6 +136,19 @@ def _paint_bump(road: RoadCanvas, plan: Road, s: float) -> None:
         for base, tip in ((low + 0.1, s - 0.5), (high - 0.1, s + 0.5)):
             teeth = np.array([road.at(base, d), road.at(base, d + 0.7), road.at(tip, d + 0.35)])
             road.canvas.fill(teeth, PAINT, 0.92, road.worn)
+
+
+def _paint_aisle(road: RoadCanvas, plan: Road) -> None:
+    """Lines between the bays on both sides of an aisle, arrows along it."""
+    for side in (1, -1):
+        mouth = plan.edge_m(side) - side * AISLE_BAY_M[0]
+        low, high = sorted((plan.edge_m(side), mouth))
+        for s in plan.across_bays_m(side):
+            for line in (s, s + AISLE_BAY_M[1]):
+                road.mark(line - 0.05, low, line + 0.05, high)
+    for strip in plan.strips:
+        for s in np.arange(plan.path.start_m + 6.0, plan.path.end_m - 6.0, 18.0):
+            _arrow(road, s, strip.d_m, 1 if strip.forward else -1)
 
 
 def _paint_motorway(road: RoadCanvas, plan: Road) -> None:

@@ -47,16 +47,20 @@ def lay_setts(
 
 
 def pavement(
-    length_m: float, width_m: float, texel_m: tuple[float, float], kerb_first: bool, rng: np.random.Generator
+    length_m: float,
+    width_m: float,
+    texel_m: tuple[float, float],
+    rng: np.random.Generator,
+    wear: float = 1.0,
 ) -> Canvas:
-    """A strip of pavement: kerb stones along one edge, slabs or setts, repairs, stains, covers.
+    """A strip of pavement: kerb stones along the lower edge, slabs or setts, repairs, stains, covers.
 
     Args:
         length_m: Along the street.
         width_m: Across.
         texel_m: Texel sizes.
-        kerb_first: Whether the kerb lies at y = 0 rather than at y = width.
         rng: Source of randomness.
+        wear: 1 for an old pavement full of repairs and spots, 0 for a plain new one.
     """
     canvas = Canvas(length_m, width_m, texel_m, (140, 137, 130))
     # The ground behind the facade line is seen in front gardens and gaps only: trodden earth and gravel.
@@ -64,24 +68,23 @@ def pavement(
     tone = rng.uniform(104, 138)
     stone = (rng.uniform(0.4, 0.6), rng.uniform(0.35, 0.5)) if kind == "slabs" else (0.2, 0.2)
     lay_setts(canvas, 0, 0, length_m, width_m, stone, tone, rng)
-    for _ in range(round(length_m * width_m / 12)):
+    for _ in range(round(wear * length_m * width_m / 12)):
         x, y = rng.uniform(0, length_m), rng.uniform(0, width_m)
         w, h = rng.uniform(0.5, 2.5), rng.uniform(0.4, 1.4)
         shade = rng.uniform(62, 150)
         canvas.rect(x, y, x + w, y + h, (shade, shade, shade), 0.9)
         canvas.frame(x, y, x + w, y + h, 0.04, (50, 50, 50), 0.8)
-    for _ in range(round(length_m * width_m / 1.4)):
+    for _ in range(round(wear * length_m * width_m / 1.4)):
         radius = min(0.03 + 0.03 * rng.pareto(2.0), 0.4)
         shade = rng.choice([45.0, 60.0, 195.0])
         at = (rng.uniform(0, length_m), rng.uniform(0, width_m))
         canvas.ellipse(at, (radius * rng.uniform(0.7, 1.4), radius), (shade, shade, shade), 0.5)
-    for _ in range(round(length_m / 4)):
+    for _ in range(round(wear * length_m / 4)):
         start = np.array([rng.uniform(0, length_m), rng.uniform(0, width_m)])
         canvas.stroke(
             crooked_line(rng, start, rng.uniform(0, 3.1), rng.uniform(0.5, 2.0), 0.5), 0.03, (50, 48, 45), 0.8
         )
-    kerb = (0.0, 0.28) if kerb_first else (width_m - 0.28, width_m)
-    lay_setts(canvas, 0, kerb[0], length_m, kerb[1], (0.9, 0.28), 165, rng)
+    lay_setts(canvas, 0, width_m - 0.28, length_m, width_m, (0.9, 0.28), 165, rng)
     canvas.shade(0.07 * fractal(rng, canvas.shape, canvas.cells(2.0), 4, 0.6))
     return canvas
 

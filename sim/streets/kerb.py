@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -15,10 +15,10 @@ from shapely.ops import unary_union
 
 from estimator.se3 import Array
 from sim.streets.path import Path, path_through
-from sim.streets.road import KERB_M, ZEBRA_M, Road
+from sim.streets.road import ZEBRA_M, Lining, Road
 
-Lining = Literal["houses", "bare", "barrier", "wall", "verge", "island"]
 CORNER_MARGIN_M = 0.4
+TUNNEL_WALK_M = 1.0  # of raised walk between a tunnel's kerb and its wall
 _SHORTEST_M = 1.5
 
 
@@ -29,14 +29,15 @@ class KerbLine:
     Attributes:
         path: Along the kerb; closed round a block or an island. d > 0 goes from the kerb towards the facades.
         pavement_m: Width of the pavement; beyond it begin the lots.
-        height_m: Of the pavement over the carriageway; 0 for a verge.
-        lining: What stands along it: houses, nothing much ("bare"), a crash barrier, a wall (of a tunnel:
-            stand nothing here), a verge of grass, the island of a roundabout.
+        height_m: Of the pavement over the carriageway; 0 for a verge of grass.
+        lining: What stands along it: houses, low houses far apart ("bare"), a crash barrier, a wall (of a
+            tunnel), an island of the carriageway.
         corners_m: Intervals of s in which the kerb goes round the corner of a junction.
         keep_clear_m: Intervals of s in which nothing may stand on the pavement: corners and crossings.
         road: Name of the road it mostly runs along.
         side: On which side of that road it lies, +1 left, -1 right.
         parks: Whether cars park along it.
+        wear: As of the road: 0 for plain new paving.
     """
 
     path: Path
@@ -48,6 +49,7 @@ class KerbLine:
     road: str
     side: int
     parks: bool
+    wear: float
 
 
 def carriageway_of(roads: Sequence[Road], corner_m: float) -> MultiPolygon:
@@ -57,13 +59,7 @@ def carriageway_of(roads: Sequence[Road], corner_m: float) -> MultiPolygon:
     return rounded if isinstance(rounded, MultiPolygon) else MultiPolygon([rounded])
 
 
-def kerb_lines(
-    carriageway: MultiPolygon,
-    roads: Sequence[Road],
-    corner_m: float,
-    lining: Lining = "houses",
-    height_m: float = KERB_M,
-) -> tuple[KerbLine, ...]:
+def kerb_lines(carriageway: MultiPolygon, roads: Sequence[Road], corner_m: float) -> tuple[KerbLine, ...]:
     """Follow the edge of the carriageway; roads that leave the world leave the line open."""
     ends = unary_union([cap.buffer(0.3) for road in roads for cap in _caps(road)])
     lines: list[KerbLine] = []
@@ -73,7 +69,7 @@ def kerb_lines(
             for piece, closed in _open_pieces(ring, ends):
                 path = path_through(np.asarray(piece.coords), closed)
                 if path.length_m > _SHORTEST_M:
-                    lines.append(_describe(path, roads, corner_m, lining, height_m))
+                    lines.append(_describe(path, roads, corner_m))
     return tuple(lines)
 
 
@@ -96,14 +92,22 @@ def _open_pieces(ring: LineString, ends: Polygon) -> list[tuple[LineString, bool
     return [(piece, False) for piece in pieces]
 
 
-def _describe(
-    path: Path, roads: Sequence[Road], corner_m: float, lining: Lining, height_m: float
-) -> KerbLine:
+def _describe(path: Path, roads: Sequence[Road], corner_m: float) -> KerbLine:
     road, side = _road_beside(path, roads)
+    which = 0 if side > 0 else 1
     corners = _corners(path, corner_m) if corner_m else ()
-    clear = (*corners, *_crossings(path, roads))
-    pavement = road.pavements_m[0 if side > 0 else 1]
-    return KerbLine(path, pavement, height_m, lining, corners, clear, road.name, side, side in road.parking)
+    return KerbLine(
+        path,
+        road.pavements_m[which],
+        road.kerb_m,
+        road.linings[which],
+        corners,
+        (*corners, *_crossings(path, roads)),
+        road.name,
+        side,
+        side in road.parking,
+        road.wear,
+    )
 
 
 def _road_beside(path: Path, roads: Sequence[Road]) -> tuple[Road, int]:
@@ -141,3 +145,33 @@ def _crossings(path: Path, roads: Sequence[Road]) -> list[tuple[float, float]]:
                 if np.abs(d).max() < 0.3 and np.ptp(s) < 2 * ZEBRA_M:
                     found.append((float(s.min()), float(s.max())))
     return found
+
+
+def walled(kerbs: Sequence[KerbLine], road: Road, span_m: tuple[float, float]) -> tuple[KerbLine, ...]:
+    """Cut the kerbs along a stretch of a road, and line the stretch with a wall."""
+    lines: list[KerbLine] = []
+    for kerb in kerbs:
+        if kerb.road != road.name:
+            lines.append(kerb)
+            continue
+        ends = road.path.point_m(np.array(span_m), road.edge_m(kerb.side))
+        low, high = np.sort(kerb.path.project(ends)[:, 0])
+        cuts = [kerb.path.start_m, float(low), float(high), kerb.path.end_m]
+        for k, (start, end) in enumerate(pairwise(cuts)):
+            piece = replace(
+                kerb,
+                path=kerb.path.offset(0.0, start, end),
+                corners_m=_within(kerb.corners_m, start, end),
+                keep_clear_m=_within(kerb.keep_clear_m, start, end),
+            )
+            if k == 1:
+                piece = replace(piece, lining="wall", pavement_m=TUNNEL_WALK_M, parks=False)
+            lines.append(piece)
+    return tuple(lines)
+
+
+def _within(
+    spans_m: Sequence[tuple[float, float]], start_m: float, end_m: float
+) -> tuple[tuple[float, float], ...]:
+    """Intervals of a kerb that touch a piece of it, in the piece's own s."""
+    return tuple((a - start_m, b - start_m) for a, b in spans_m if b > start_m and a < end_m)

@@ -7,16 +7,67 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sim.streets.car_park import plan_car_park
+from sim.streets.motorway import plan_motorway
 from sim.streets.network import Network, driven_line_m
 from sim.streets.plan import Plan, network_of
-from sim.streets.relief import Relief, draw_hills, draw_roughness
-from sim.streets.town_streets import plan_bend, plan_crossroads, plan_straight
+from sim.streets.relief import draw_hills, draw_roughness
+from sim.streets.roundabout import plan_roundabout
+from sim.streets.town_streets import (
+    plan_bend,
+    plan_canyon,
+    plan_crossroads,
+    plan_straight,
+    plan_suburb,
+    plan_tunnel,
+)
+from sim.streets.turning_streets import plan_loop, plan_t_junction
 
 PLANS: dict[str, Callable[[float, np.random.Generator], Plan]] = {
     "straight": plan_straight,
     "bend": plan_bend,
     "crossroads": plan_crossroads,
+    "t_junction": plan_t_junction,
+    "roundabout": plan_roundabout,
+    "loop": plan_loop,
+    "motorway": plan_motorway,
+    "tunnel": plan_tunnel,
+    "car_park": plan_car_park,
+    "suburb": plan_suburb,
+    "canyon": plan_canyon,
 }
+
+
+CLOSED_KINDS = ("loop", "car_park")  # whose route comes back to where it began
+SHORTEST_M = {
+    "straight": (20.0, "the drive"),
+    "bend": (20.0, "the drive"),
+    "crossroads": (35.0, "the first crossing"),
+    "t_junction": (40.0, "the way to the junction and round the turn"),
+    "roundabout": (70.0, "the way to the roundabout and round it"),
+    "loop": (200.0, "once round a block with houses inside"),
+    "motorway": (50.0, "the drive"),
+    "tunnel": (50.0, "daylight, the tunnel, and daylight again"),
+    "car_park": (90.0, "once round the bays of two aisles"),
+    "suburb": (20.0, "the drive"),
+    "canyon": (20.0, "the drive"),
+}
+LONGEST_M = {"motorway": 1500.0, "car_park": 300.0}  # what is painted of them fits into memory
+LONGEST_TOWN_M = 800.0
+
+
+def check_length(kind: str, length_m: float) -> None:
+    """Refuse a length in which a kind cannot be built.
+
+    Raises:
+        ValueError: What was got, what was wanted and why.
+    """
+    shortest, why = SHORTEST_M[kind]
+    longest = LONGEST_M.get(kind, LONGEST_TOWN_M)
+    if length_m < shortest:
+        raise ValueError(f"length_m is {length_m:g}; kind {kind} needs at least {shortest:g} m for {why}")
+    if length_m > longest:
+        raise ValueError(f"length_m is {length_m:g}; kind {kind} takes at most {longest:g} m, for memory")
 
 
 @dataclass(frozen=True)
@@ -45,7 +96,7 @@ def draw_network(
         relief_rng: Decides where hills, bumps and unevenness are.
     """
     plan = PLANS[kind](length_m, plan_rng)
-    hills, rough = relief_rng.spawn(2)
-    line = driven_line_m(plan.route, length_m)
-    relief = Relief(draw_hills(ground.slope_percent, line, hills), draw_roughness(ground.roughness, rough))
-    return network_of(plan, relief)
+    hills_rng, rough_rng, bumps_rng = relief_rng.spawn(3)
+    hills = draw_hills(ground.slope_percent, driven_line_m(plan.route, length_m), hills_rng)
+    rough = draw_roughness(ground.roughness, rough_rng)
+    return network_of(plan, length_m, hills, rough, ground.speed_bumps, bumps_rng)

@@ -18,7 +18,7 @@ from sim.streets.path import Path
 from sim.streets.relief import Relief
 from sim.streets.road import Road
 
-CURB_WALK_M = 1.3  # from the kerb, where people walk
+KERB_WALK_M = 1.3  # from the kerb, where people walk
 BIKE_M = 0.8  # from the kerb, where bicycles ride
 
 
@@ -85,13 +85,15 @@ class Tunnel:
         road: Name of the road.
         span_m: Interval of s that is covered.
         height_m: From the carriageway to the ceiling.
-        outline: What is covered, in world xy.
+        outline_m: (N, 2) what is covered, in world xy.
+        portals_m: (2, 2) the middles of its openings.
     """
 
     road: str
     span_m: tuple[float, float]
     height_m: float
-    outline: Polygon
+    outline_m: Array
+    portals_m: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +143,7 @@ def foot_lanes(kerbs: Sequence[KerbLine]) -> list[Lane]:
     lanes = []
     for kerb in kerbs:
         if kerb.lining in ("houses", "bare") and kerb.pavement_m > 1.8:
-            for d, backwards in ((CURB_WALK_M, False), (min(2.0, kerb.pavement_m - 0.4), True)):
+            for d, backwards in ((KERB_WALK_M, False), (min(2.0, kerb.pavement_m - 0.4), True)):
                 lanes.append(Lane("foot", kerb.path.offset(d, backwards=backwards), 1.4))
     return lanes
 

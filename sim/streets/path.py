@@ -128,9 +128,11 @@ def path_through(points_m: Array, closed: bool = False, start_m: float = 0.0) ->
 
 def straight_path(origin_m: Array, heading_rad: float, length_m: float) -> Path:
     """A straight path from a point on."""
-    s_m = np.arange(round(length_m / STEP_M) + 1) * STEP_M
+    count = round(length_m / STEP_M)
+    s_m = np.linspace(0.0, length_m, count + 1)
     direction = np.array([np.cos(heading_rad), np.sin(heading_rad)])
-    return Path(0.0, np.asarray(origin_m) + s_m[:, None] * direction, np.full(len(s_m), heading_rad))
+    points = np.asarray(origin_m) + s_m[:, None] * direction
+    return Path(0.0, points, np.full(len(s_m), heading_rad), length_m / count)
 
 
 def bend_curvature(

@@ -37,7 +37,7 @@ def _piece(
     """One stretch of pavement with the wall of its kerb."""
     width = kerb.pavement_m
     if kerb.height_m > 0:
-        canvas = pavement(end_m - start_m, width, PAVING_TEXEL_M, False, rng)
+        canvas = pavement(end_m - start_m, width, PAVING_TEXEL_M, rng, kerb.wear)
     else:
         canvas = verge(end_m - start_m, width, _VERGE_TEXEL_M, rng)
     s_m = _samples(kerb, start_m, end_m)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
+from sim.streets.bumps import place_bumps
 from sim.streets.junctions import Joint, join
-from sim.streets.kerb import Lining, kerb_lines
-from sim.streets.network import Lane, Network, bike_lanes, foot_lanes, road_bays
+from sim.streets.kerb import kerb_lines, walled
+from sim.streets.network import Bay, Lane, Network, Tunnel, bike_lanes, foot_lanes, road_bays
 from sim.streets.path import Path
-from sim.streets.relief import Relief
+from sim.streets.relief import Relief, Waves
 from sim.streets.road import Road
 
 CORNER_M = 5.2  # radius of kerbs at junctions: wider than any pavement, so that facade lines do not fold
@@ -23,25 +26,31 @@ class Plan:
         joints: How they meet.
         route: The driven lane's centre; through the origin along +x at s = 0.
         lanes: Car lanes; those for bicycles and people follow from roads and kerbs.
-        lining: What stands along kerbs.
         corner_m: Radius of kerbs at junctions; 0 for none.
-        kerb_m: Height of kerbs.
+        bays: Parking places besides those along kerbs.
+        tunnels: Covered stretches.
     """
 
     roads: tuple[Road, ...]
     joints: tuple[Joint, ...]
     route: Path
     lanes: tuple[Lane, ...]
-    lining: Lining = "houses"
     corner_m: float = CORNER_M
-    kerb_m: float = 0.12
+    bays: tuple[Bay, ...] = ()
+    tunnels: tuple[Tunnel, ...] = ()
 
 
-def network_of(plan: Plan, relief: Relief) -> Network:
-    """Derive surfaces, kerbs, lanes and bays."""
+def network_of(
+    plan: Plan, length_m: float, hills: Waves, rough: Waves, bumps_per_100_m: float, rng: np.random.Generator
+) -> Network:
+    """Derive surfaces, kerbs, lanes and bays; ``rng`` decides where speed bumps are."""
     roads, junctions, carriageway = join(plan.roads, plan.joints, plan.corner_m)
-    kerbs = kerb_lines(carriageway, roads, plan.corner_m, plan.lining, plan.kerb_m)
+    roads, bumps = place_bumps(roads, plan.route, length_m, bumps_per_100_m, rng)
+    relief = Relief(hills, rough, bumps)
+    kerbs = kerb_lines(carriageway, roads, plan.corner_m)
+    for tunnel in plan.tunnels:
+        kerbs = walled(kerbs, next(road for road in roads if road.name == tunnel.road), tunnel.span_m)
     bikes = [lane for road in roads if road.style in ("street", "minor") for lane in bike_lanes(road)]
     lanes = (*plan.lanes, *bikes, *foot_lanes(kerbs))
-    bays = tuple(bay for road in roads for bay in road_bays(road))
-    return Network(roads, junctions, kerbs, lanes, bays, plan.route, carriageway, relief)
+    bays = (*plan.bays, *(bay for road in roads for bay in road_bays(road)))
+    return Network(roads, junctions, kerbs, lanes, bays, plan.route, carriageway, relief, plan.tunnels)

@@ -17,8 +17,11 @@ BAY_M = 5.6
 KERB_M = 0.12
 ZEBRA_M = 3.2
 EDGE_STEP_M = 0.5
+_TIGHTEST_PARKED_1PM = 1 / 17.0  # bend along which cars park
+AISLE_BAY_M = (5.0, 2.5)  # length and width of a bay of a car park
 
 Style = Literal["street", "minor", "ring", "motorway", "aisle"]
+Lining = Literal["houses", "bare", "barrier", "wall", "island"]
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,8 @@ class Road:
         open_ends: Whether it leaves the world at its start and at its end.
         wear: 1 for an old town street full of repairs and spots, 0 for plain new asphalt.
         limits_m: s of the speed limit painted on the lane.
+        linings: What stands along its kerbs, left and right; see ``KerbLine``.
+        kerb_m: Height of its kerbs; 0 for none.
         texel_m: How finely it is painted along and across; finer across, since at a flat angle mipmaps blur
             along the road anyway.
     """
@@ -77,6 +82,8 @@ class Road:
     open_ends: tuple[bool, bool] = (True, True)
     wear: float = 1.0
     limits_m: tuple[float, ...] = ()
+    linings: tuple[Lining, Lining] = ("houses", "houses")
+    kerb_m: float = KERB_M
     texel_m: tuple[float, float] = (0.025, 0.014)
 
     @property
@@ -118,7 +125,15 @@ class Road:
                 s
                 for s in starts
                 if self.is_free(s, s + BAY_M, side, 0.5)
+                and abs(self.path.curvature_1pm(s + BAY_M / 2, BAY_M)) < _TIGHTEST_PARKED_1PM
                 and self.span_m[0] <= s
                 and s + BAY_M <= self.span_m[1]
             ]
         )
+
+    def across_bays_m(self, side: int) -> Array:
+        """s at which the bays across an aisle begin, on one side; none where it is too narrow for them."""
+        if self.width_m < 2 * AISLE_BAY_M[0]:
+            return np.empty(0)
+        first = self.path.start_m + (2.0 if side > 0 else 2.6)
+        return np.arange(first, self.path.end_m - 2.0 - AISLE_BAY_M[1], AISLE_BAY_M[1])

@@ -56,7 +56,7 @@ def _arc(before_m: Array, corner_m: Array, after_m: Array, radius_m: float) -> A
 
 def smoothed(path: Path, ramp_m: float = RAMP_M) -> Path:
     """Let curvature ramp up and down; straight stretches stay where they are."""
-    width = max(1, round(ramp_m / path.step_m))
+    width = 2 * round(ramp_m / path.step_m / 2) + 1  # odd, or the path would shift
     points = path.points_m
     if path.closed:
         ring = uniform_filter1d(uniform_filter1d(points[:-1], width, 0, mode="wrap"), width, 0, mode="wrap")

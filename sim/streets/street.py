@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, Self
 
 import mujoco
 import numpy as np
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from estimator.config import Config
 from estimator.se3 import Array
 from sim.streets.furnishing import furnish
 from sim.streets.ground import build_ground
 from sim.streets.houses import build_houses
-from sim.streets.kinds import Ground, draw_network
+from sim.streets.kinds import CLOSED_KINDS, Ground, check_length, draw_network
 from sim.streets.lamps import Lamp
 from sim.streets.lot import Facades
 from sim.streets.lots import draw_lots
@@ -27,13 +27,36 @@ TALL_KINDS = ("canyon",)
 class StreetConfig(Config):
     """Which street, and how long."""
 
-    kind: Literal["straight", "bend", "crossroads"] = "bend"
-    length_m: float = Field(70.0, ge=20.0, le=300.0)
+    kind: Literal[
+        "straight",
+        "bend",
+        "t_junction",
+        "crossroads",
+        "roundabout",
+        "loop",
+        "motorway",
+        "tunnel",
+        "car_park",
+        "suburb",
+        "canyon",
+    ] = "bend"
+    length_m: float = Field(70.0, ge=20.0, le=1500.0)  # that can be driven; once round, of a closed kind
     facades: Facades = "varied"
     parking: float = Field(0.6, ge=0.0, le=1.0)  # share of the bays that are taken
     vegetation: float = Field(1.0, ge=0.0, le=1.0)  # share of the plants that grow
     slope_percent: float = Field(0.0, ge=0.0, le=15.0)  # the steepest that is driven over
+    speed_bumps: float = Field(0.0, ge=0.0, le=10.0)  # per 100 m
     roughness: float = Field(0.0, ge=0.0, le=5.0)  # 1 to 5: ISO 8608 classes A to E
+
+    @model_validator(mode="after")
+    def _has_room_for_its_kind(self) -> Self:
+        check_length(self.kind, self.length_m)
+        return self
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether the car may drive round for ever."""
+        return self.kind in CLOSED_KINDS
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +83,7 @@ class Street:
 def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
     """Draw and build a street; the same generator state gives the same street."""
     plan, ground, plots, houses, things, relief = rng.spawn(6)
-    asked = Ground(config.slope_percent, 0.0, config.roughness)
+    asked = Ground(config.slope_percent, config.speed_bumps, config.roughness)
     network = draw_network(config.kind, config.length_m, asked, plan, relief)
     driven_m = driven_line_m(network.route, config.length_m)
     lots = draw_lots(network, config.facades, plots)
