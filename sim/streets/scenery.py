@@ -70,13 +70,13 @@ NOTHING = Scenery((), {})
 def write_scenery(spec: mujoco.MjSpec, scenery: Scenery) -> None:
     """Add textures, materials, meshes and geoms that nothing collides with."""
     for name, skin in scenery.skins.items():
-        _write_skin(spec, name, skin)
+        write_skin(spec, name, skin)
     mesh_names: dict[int, str] = {}
     for prop in scenery.props:
         key = id(prop.mesh)
         if key not in mesh_names:
             mesh_names[key] = f"mesh_{prop.name}"
-            _write_mesh(spec, mesh_names[key], prop.mesh)
+            write_mesh(spec, mesh_names[key], prop.mesh)
         half = prop.yaw_rad / 2
         spec.worldbody.add_geom(
             name=f"scenery_{prop.name}",
@@ -91,7 +91,8 @@ def write_scenery(spec: mujoco.MjSpec, scenery: Scenery) -> None:
         )
 
 
-def _write_skin(spec: mujoco.MjSpec, name: str, skin: Skin) -> None:
+def write_skin(spec: mujoco.MjSpec, name: str, skin: Skin) -> None:
+    """Add a texture and the material ``skin_NAME`` that shows it."""
     height, width, channels = skin.image.shape
     texture = spec.add_texture(
         name=f"texture_{name}",
@@ -105,7 +106,8 @@ def _write_skin(spec: mujoco.MjSpec, name: str, skin: Skin) -> None:
     material.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = f"texture_{name}"
 
 
-def _write_mesh(spec: mujoco.MjSpec, name: str, mesh: Mesh) -> None:
+def write_mesh(spec: mujoco.MjSpec, name: str, mesh: Mesh) -> None:
+    """Add a mesh under a name."""
     spec.add_mesh(
         name=name,
         uservert=mesh.vertices_m.ravel(),
