@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from estimator.se3 import Array
 from sim.paint.canvas import Canvas, RgbImage
@@ -43,6 +44,11 @@ def leaves(species: str) -> Rect:
     return (left + 0.006, 0.02, left + width - 0.006, 0.98)
 
 
+def leaves_color(species: str) -> tuple[int, int, int]:
+    """RGB of a species' leaf in the open."""
+    return _GREENS[species]
+
+
 def paint_plants(rng: np.random.Generator) -> RgbImage:
     """Paint three barks and a column of leaves for every species."""
     canvas = Canvas(*_SIZE_M, (_TEXEL_M, _TEXEL_M), (30, 38, 20))
@@ -71,10 +77,10 @@ def _exposure(y_m: Array) -> Array:
     return result
 
 
-def _species_at(x_m: Array) -> Array:
+def _species_at(x_m: Array) -> NDArray[np.int64]:
     first_m = len(_BARK_COLORS) * _BARK_SHARE * _SIZE_M[0]
     share = np.clip((x_m - first_m) / (_SIZE_M[0] - first_m), 0, 0.999)
-    return np.asarray((share * len(SPECIES)).astype(int))
+    return np.asarray(share * len(SPECIES), np.int64)
 
 
 def _leaf_colors(x_m: Array, y_m: Array, light: Array) -> Array:
@@ -85,10 +91,9 @@ def _leaf_colors(x_m: Array, y_m: Array, light: Array) -> Array:
 
 def _ground_of_columns(canvas: Canvas) -> None:
     """What is seen between the leaves: the same green, far darker."""
-    x_m = (np.arange(canvas.shape[1]) + 0.5) * _TEXEL_M
-    y_m = (np.arange(canvas.shape[0]) + 0.5) * _TEXEL_M
-    greens = np.array(list(_GREENS.values()), np.float32)[_species_at(x_m)]
-    canvas.pixels[:] = 0.33 * greens[None] * _exposure(y_m).astype(np.float32)[:, None, None]
+    x_m, y_m = ((np.arange(count, dtype=np.float64) + 0.5) * _TEXEL_M for count in canvas.shape[::-1])
+    greens = np.array(list(_GREENS.values()), float)[_species_at(x_m)]
+    canvas.pixels[:] = 0.33 * greens[None] * _exposure(y_m)[:, None, None]
 
 
 def _bark(canvas: Canvas, kind: int, rng: np.random.Generator) -> None:

@@ -11,14 +11,17 @@ from sim.paint.furniture import paint_furniture
 from sim.paint.plants import paint_plants
 from sim.streets.catalogue import Catalogue, furniture_skin
 from sim.streets.footprint import Ground, rectangle_m
+from sim.streets.islands import furnish_islands
 from sim.streets.lamps import Lamp, line_with_lamps
 from sim.streets.lot import Lot
+from sim.streets.motorway_sides import line_motorways
 from sim.streets.network import Network
 from sim.streets.parking import draw_cars, park
 from sim.streets.placing import TO_STREET, KerbSite, Site, Thing
 from sim.streets.planting import Greenery, line_with_trees, plant_front_garden, plant_garden
 from sim.streets.scenery import Scenery, Skin
 from sim.streets.signing import draw_names, sign_crossings, sign_junctions
+from sim.streets.tunnels import build_tunnels
 
 CAR_M = (4.8, 1.95)  # ground kept for a parked car
 
@@ -44,7 +47,7 @@ def furnish(
     Returns:
         What stands there, and what of it shines at night.
     """
-    paint, cars, bays, plants, trees, gardens, things = rng.spawn(7)
+    paint, cars, bays, plants, trees, gardens, things, middles, verges, barriers, tunnels = rng.spawn(11)
     catalogue = Catalogue(plants)
     built = [lot.outline_m for lot in lots if lot.use != "garden"]
     behind = Site("garden", Ground(list(built)), network.relief, driven_m)
@@ -59,7 +62,11 @@ def furnish(
     park(parked, network.bays, models, parking, bays)
     street = Site("street", _without_bays(network, built), network.relief, driven_m)
     lamps = _furnish_kerbs(street, network, catalogue, Greenery(catalogue, vegetation, trees), things)
-    return Scenery((*behind.props, *parked.props, *street.props), _skins(paint) | car_skins), tuple(lamps)
+    lamps += furnish_islands(street, network, Greenery(catalogue, vegetation, middles))
+    sides = line_motorways(street, network, Greenery(catalogue, vegetation, verges), barriers)
+    covered, ceiling = build_tunnels(network, tunnels)
+    standing = Scenery((*behind.props, *parked.props, *street.props), _skins(paint) | car_skins)
+    return standing + sides + covered, (*lamps, *ceiling)
 
 
 def _without_bays(network: Network, built: list[Array]) -> Ground:
