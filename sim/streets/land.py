@@ -48,7 +48,8 @@ def _pavement(kerb: KerbLine) -> Polygon:
     s_m = np.linspace(kerb.path.start_m, kerb.path.end_m, max(3, round(2 * kerb.path.length_m)))
     outline = [kerb.path.point_m(s_m, 0.0), kerb.path.point_m(s_m, kerb.pavement_m)[::-1]]
     if kerb.path.closed:
-        return Polygon(outline[0]).symmetric_difference(Polygon(outline[1]))
+        rings = [Polygon(ring).buffer(0) for ring in outline]
+        return rings[0].symmetric_difference(rings[1])
     return Polygon(np.vstack(outline)).buffer(0)
 
 
