@@ -1,8 +1,8 @@
 """Poses of the parts of many actors at once, and how they become poses in the world.
 
-A part's pose relative to its actor is a row (x, y, z, pitch, yaw): shifted, turned by ``yaw`` about the actor's
-+z, then by ``pitch`` about its own +y (positive tips forward and down). The actor's frame has x ahead, y left,
-z up and its origin on the ground.
+A part's pose relative to its actor is a row (x, y, z, pitch, yaw): shifted, turned by ``yaw`` about the
+actor's +z, then by ``pitch`` about its own +y (positive tips forward and down). The actor's frame has x
+ahead, y left, z up and its origin on the ground.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """How a walker's limbs move, as a function of the way walked: feet stay where they touch the ground.
 
-Angles follow those of normal gait in outline: two flexions of the knee in a cycle, a small one under load and a
-large one in swing, and a heel that rises before the toe leaves the ground.
+Angles follow those of normal gait in outline: two flexions of the knee in a cycle, a small one under load
+and a large one in swing, and a heel that rises before the toe leaves the ground.
 
 Reference:
     Perry & Burnfield 2010, Gait Analysis, ch. 4-6.
@@ -15,11 +15,8 @@ from estimator.se3 import Array
 from sim.shapes.person import ANKLE_M, FOREARM_M, HIP_M, SHIN_M, SHOULDER_M, THIGH_M, UPPER_ARM_M
 from sim.traffic.pose import PITCH, YAW, X, Y, Z
 
-PARTS = ("trunk",) + tuple(
-    f"{side}_{limb}"
-    for side in ("left", "right")
-    for limb in ("thigh", "shin", "foot", "upper_arm", "forearm")
-)
+LIMBS = ("thigh", "shin", "foot", "upper_arm", "forearm")
+PARTS = ("trunk", *(f"{side}_{limb}" for side in ("left", "right") for limb in LIMBS))
 _STRIDE_M = 1.38  # two steps, of somebody 1.75 m tall
 _SETTLES_MPS = 0.5  # below this speed the swing dies away
 _SOLE_M = np.array([[-0.08, -ANKLE_M], [0.14, -ANKLE_M], [0.185, -ANKLE_M + 0.014]])  # x, z from the ankle

@@ -1,0 +1,200 @@
+"""Everything that moves besides the driven car: which actors there are, and where they are at any time.
+
+Actors have no physics and collide with nothing. Those in the driven lane are tied to the car's plan;
+other cars give way to them, cyclists to all cars, pedestrians to all that rolls. So cyclists change no
+car, and pedestrians change neither.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import mujoco
+import numpy as np
+
+from sim.seeds import rng_for
+from sim.streets.network import Network
+from sim.traffic.config import (
+    CAR_SPACING_M,
+    CYCLIST_SPACING_M,
+    PEDESTRIAN_SPACING_M,
+    TrafficConfig,
+    at_degree,
+    jam_share,
+)
+from sim.traffic.fleet import rider_models, vehicle_models, walker_models
+from sim.traffic.flow import STEP_S, Entrant, Flow
+from sim.traffic.lanes import bike_tracks, car_tracks, foot_tracks, ground_m, route_track
+from sim.traffic.model import Model
+from sim.traffic.movers import Movers
+from sim.traffic.pace import Pace
+from sim.traffic.pedalling import pedalling
+from sim.traffic.platoon import Platoon, draw_members
+from sim.traffic.rolling import rolling
+from sim.traffic.track import Track
+from sim.traffic.troupe import Troupe
+from sim.traffic.walking import walking
+
+Progress = Callable[[float], float]
+_LONGEST_IN_BENDS_M = 7.0
+_TIGHT_1PM = 1 / 40
+
+
+class Traffic:
+    """All actors; knows how to enter a spec and where everybody is at a time."""
+
+    def __init__(self, troupes: Sequence[Troupe]) -> None:
+        self.troupes = tuple(troupes)
+
+    def write_into(self, spec: mujoco.MjSpec) -> None:
+        """Add a mocap body for every part of every actor."""
+        for troupe in self.troupes:
+            troupe.write_into(spec)
+
+    def place(self, data: mujoco.MjData, time_s: float) -> None:
+        """Put everybody where they are at a time since the drive began; any times, in any order."""
+        for troupe in self.troupes:
+            troupe.place(data, time_s)
+
+
+def build_traffic(
+    config: TrafficConfig, network: Network, progress_m: Progress, top_mps: float, seed: int
+) -> Traffic:
+    """Draw the traffic of a street.
+
+    Args:
+        config: How much of it.
+        network: Where it can be.
+        progress_m: s of the route at which the driven car means to be; it falls when driving backwards.
+        top_mps: Its highest speed.
+        seed: Everything random follows from it.
+    """
+    if config.is_empty:
+        return Traffic(())
+    vehicles = vehicle_models(seed) if config.cars else []
+    platoon, own_lane = _own_lane(config, network, progress_m, top_mps, vehicles, seed)
+    cars, driving = _cars(config, network, [platoon], vehicles, seed)
+    bikes, riding = _cyclists(config, network, [platoon, cars], seed)
+    walking_about = _pedestrians(config, network, [platoon, cars, bikes], seed)
+    return Traffic([own_lane, driving, riding, walking_about])
+
+
+def _own_lane(
+    config: TrafficConfig,
+    network: Network,
+    progress_m: Progress,
+    top_mps: float,
+    vehicles: Sequence[Model],
+    seed: int,
+) -> tuple[Platoon, Troupe]:
+    route, rng = route_track(network), rng_for(seed, "traffic.own_lane")
+    models = [model for model in vehicles if model.length_m < _LONGEST_IN_BENDS_M]
+    room_m = route.ring_m if route.closed else np.inf
+    members = draw_members(config.cars, [model.length_m for model in models], room_m, top_mps, rng)
+    if progress_m(1.0) < progress_m(0.0):
+        members = []  # who backs up does so where the lane is free
+    platoon = Platoon(route, progress_m, members)
+    cast = [models[member.model] for member in members]
+    troupe = Troupe(
+        "own_lane",
+        cast,
+        [route],
+        np.zeros(len(cast), np.int64),
+        lambda time_s: (platoon.way_m(time_s), np.zeros(len(cast))),
+        lambda now: rolling(now.way_m, now.curvature_1pm, cast),
+        network.relief.road_height_m,
+    )
+    return platoon, troupe
+
+
+def _cars(
+    config: TrafficConfig, network: Network, above: Sequence[Movers], models: Sequence[Model], seed: int
+) -> tuple[Flow, Troupe]:
+    tracks = car_tracks(network)
+    short = [k for k, model in enumerate(models) if model.length_m < _LONGEST_IN_BENDS_M]
+    anywhere = list(range(len(models)))
+    choices = [short if _is_tight(track) else anywhere for track in tracks]
+    entrants, chosen = _entrants("cars", tracks, CAR_SPACING_M, config.cars, models, choices, seed)
+    pace = Pace(1.6, 2.0, 1.5, STEP_S, jam_share(config.cars))
+    flow = Flow(tracks, entrants, above, pace)
+    cast = [chosen[k] for k in flow.members]
+    return flow, Troupe(
+        "car",
+        cast,
+        tracks,
+        flow.track,
+        flow.at,
+        lambda now: rolling(now.way_m, now.curvature_1pm, cast),
+        network.relief.road_height_m,
+    )
+
+
+def _is_tight(track: Track) -> bool:
+    """Whether a long vehicle would leave the lane in its curves."""
+    s_m = track.path.start_m + np.arange(0.0, track.path.length_m)
+    return bool(np.abs(track.path.curvature_1pm(s_m)).max() > _TIGHT_1PM)
+
+
+def _cyclists(
+    config: TrafficConfig, network: Network, above: Sequence[Movers], seed: int
+) -> tuple[Flow, Troupe]:
+    tracks = bike_tracks(network)
+    models = rider_models(seed) if config.cyclists else []
+    entrants, chosen = _entrants("cyclists", tracks, CYCLIST_SPACING_M, config.cyclists, models, None, seed)
+    flow = Flow(tracks, entrants, above, Pace(1.0, 1.6, 0.8, STEP_S))
+    cast = [chosen[k] for k in flow.members]
+    start = rng_for(seed, "traffic.cyclists.phase").random(len(chosen))[flow.members]
+    return flow, Troupe(
+        "cyclist",
+        cast,
+        tracks,
+        flow.track,
+        flow.at,
+        lambda now: pedalling(now.way_m, start),
+        network.relief.road_height_m,
+    )
+
+
+def _pedestrians(config: TrafficConfig, network: Network, above: Sequence[Movers], seed: int) -> Troupe:
+    tracks = foot_tracks(network)
+    models = walker_models(seed) if config.pedestrians else []
+    entrants, chosen = _entrants(
+        "pedestrians", tracks, PEDESTRIAN_SPACING_M, config.pedestrians, models, None, seed
+    )
+    flow = Flow(tracks, entrants, above, Pace(0.8, 1.2, 0.5, STEP_S))
+    cast = [chosen[k] for k in flow.members]
+    start = rng_for(seed, "traffic.pedestrians.phase").random(len(chosen))[flow.members]
+    scale = np.array([model.scale for model in cast])
+    return Troupe(
+        "pedestrian",
+        cast,
+        tracks,
+        flow.track,
+        flow.at,
+        lambda now: walking(now.way_m, now.speed_mps, scale, start),
+        [ground_m(network, track) for track in tracks],
+    )
+
+
+def _entrants(
+    kind: str,
+    tracks: Sequence[Track],
+    spacing_m: tuple[float, ...],
+    degree: float,
+    models: Sequence[Model],
+    choices: Sequence[list[int]] | None,
+    seed: int,
+) -> tuple[list[Entrant], list[Model]]:
+    """Draw who moves on each track; more of them at a higher degree, the first ones always the same."""
+    entrants, chosen = [], []
+    for index, track in enumerate(tracks):
+        rng = rng_for(seed, f"traffic.{kind}.{index}")
+        spare = rng.random()
+        count = int(track.ring_m / at_degree(spacing_m, degree) + spare) if degree else 0
+        among = choices[index] if choices else list(range(len(models)))
+        for _ in range(count):
+            model = models[among[rng.integers(len(among))]]
+            brisk, jitter = float(np.clip(rng.normal(1.0, 0.1), 0.75, 1.3)), float(rng.uniform(-0.5, 0.5))
+            entrants.append(Entrant(index, model.length_m, brisk, jitter))
+            chosen.append(model)
+    return entrants, chosen
