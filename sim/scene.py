@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import mujoco
 
+from estimator.camera import Camera
 from estimator.rig import Rig
 from sim.faults.wrong_intrinsics import with_true_lenses
 from sim.light.atmosphere import Atmosphere
@@ -33,6 +34,7 @@ class Scene:
     Attributes:
         model: Compiled; one camera element a camera of the rig.
         lenses: By camera.
+        true_cameras: What each lens makes images of.
         route: What the car drives.
         cameras: Those whose mounting changes.
         car: The car's sizes.
@@ -42,6 +44,7 @@ class Scene:
 
     model: mujoco.MjModel
     lenses: Mapping[str, Lens]
+    true_cameras: Mapping[str, Camera]
     cameras: MovingCameras
     route: Route
     car: CarConfig
@@ -91,7 +94,8 @@ def assemble_scene(
     write_light(spec)
     write_visual_settings(spec, _largest_px(lenses), quality)
     model = spec.compile()
-    return Scene(model, lenses, MovingCameras(model, mounts), route, car, road)
+    true_cameras = {name: mounted.camera for name, mounted in true_rig.cameras.items()}
+    return Scene(model, lenses, true_cameras, MovingCameras(model, mounts), route, car, road)
 
 
 def _largest_px(lenses: Mapping[str, Lens]) -> tuple[int, int]:

@@ -21,7 +21,7 @@ from sim.vehicle.car import HIDDEN_GROUP
 
 SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0
-_MOST_GEOMS = 20_000
+MOST_GEOMS = 20_000
 
 
 class ClassicRenderer:
@@ -34,7 +34,7 @@ class ClassicRenderer:
             InputError: This machine cannot render; the line names the package to install.
         """
         self._model = model
-        self._scene = mujoco.MjvScene(model, maxgeom=_MOST_GEOMS)
+        self._scene = mujoco.MjvScene(model, maxgeom=MOST_GEOMS)
         self._option, self._camera = mujoco.MjvOption(), mujoco.MjvCamera()
         self._gl = open_context(model.vis.global_.offwidth, model.vis.global_.offheight)
         try:
@@ -66,7 +66,7 @@ class ClassicRenderer:
         mujoco.mjr_render(mujoco.MjrRect(0, 0, 1, 1), self._scene, self._context)
 
     def _picture(self, data: mujoco.MjData, view: View, middle_m: Array, depth: bool) -> Picture:
-        with _only(self._model, in_view(self._model, data, view.pinhole, view.world_from_cam)):
+        with only(self._model, in_view(self._model, data, view.pinhole, view.world_from_cam)):
             self._update_scene(data, middle_m)
         for eye in self._scene.camera:
             aim(eye, view)
@@ -106,7 +106,7 @@ class ClassicRenderer:
 
 
 @contextmanager
-def _only(model: mujoco.MjModel, drawn: npt.NDArray[np.bool_]) -> Iterator[None]:
+def only(model: mujoco.MjModel, drawn: npt.NDArray[np.bool_]) -> Iterator[None]:
     """Hide all other geoms, and let none cast a shadow."""
     groups, casting = model.geom_group.copy(), model.geom_castshadow.copy()
     model.geom_group[~drawn] = HIDDEN_GROUP
