@@ -34,7 +34,7 @@ def image(pixels: Image, stamp_ns: int, camera: str) -> Any:
     """Return a ``mono8`` sensor_msgs/Image of (H, W) pixels."""
     height, width = pixels.shape
     return _T["sensor_msgs/msg/Image"](
-        header=_header(stamp_ns, camera),
+        header=header(stamp_ns, camera),
         height=height,
         width=width,
         encoding="mono8",
@@ -48,7 +48,7 @@ def camera_info(camera: Camera, stamp_ns: int, name: str) -> Any:
     """Return the sensor_msgs/CameraInfo of a camera; a pinhole has five zero coefficients."""
     (fx, fy), (cx, cy) = camera.focal_px, camera.center_px
     return _T["sensor_msgs/msg/CameraInfo"](
-        header=_header(stamp_ns, name),
+        header=header(stamp_ns, name),
         height=camera.size_px[1],
         width=camera.size_px[0],
         distortion_model=_INFO_MODEL[camera.model],
@@ -66,9 +66,9 @@ def odometry(truth: Truth) -> Any:
     """Return the nav_msgs/Odometry from ``world`` to ``ego``; the twist is in the ego frame."""
     pose, no_covariance = truth.world_from_ego, np.zeros(36)
     position = _T["geometry_msgs/msg/Point"](*map(float, pose.translation))
-    angular, linear = (_vector(part) for part in np.split(truth.velocity_ego, 2))
+    angular, linear = (vector(part) for part in np.split(truth.velocity_ego, 2))
     return _T["nav_msgs/msg/Odometry"](
-        header=_header(truth.stamp_ns, "world"),
+        header=header(truth.stamp_ns, "world"),
         child_frame_id="ego",
         pose=_T["geometry_msgs/msg/PoseWithCovariance"](
             _T["geometry_msgs/msg/Pose"](position, _quaternion(pose)), no_covariance
@@ -83,9 +83,9 @@ def extrinsics(truth: Truth) -> Any:
     """Return the tf2_msgs/TFMessage from ``ego`` to every camera."""
     transforms = [
         _T["geometry_msgs/msg/TransformStamped"](
-            _header(truth.stamp_ns, "ego"),
+            header(truth.stamp_ns, "ego"),
             name,
-            _T["geometry_msgs/msg/Transform"](_vector(pose.translation), _quaternion(pose)),
+            _T["geometry_msgs/msg/Transform"](vector(pose.translation), _quaternion(pose)),
         )
         for name, pose in truth.ego_from_cams.items()
     ]
@@ -107,15 +107,17 @@ def faults(lasting: Sequence[Fault], stamp_ns: int) -> Any:
         )
         for fault in lasting
     ]
-    return _T["diagnostic_msgs/msg/DiagnosticArray"](_header(stamp_ns, ""), states)
+    return _T["diagnostic_msgs/msg/DiagnosticArray"](header(stamp_ns, ""), states)
 
 
-def _header(stamp_ns: int, frame: str) -> Any:
+def header(stamp_ns: int, frame: str) -> Any:
+    """Return a std_msgs/Header."""
     stamp = _T["builtin_interfaces/msg/Time"](*divmod(stamp_ns, 1_000_000_000))
     return _T["std_msgs/msg/Header"](stamp, frame)
 
 
-def _vector(values: np.ndarray[Any, np.dtype[np.float64]]) -> Any:
+def vector(values: np.ndarray[Any, np.dtype[np.float64]]) -> Any:
+    """Return a geometry_msgs/Vector3."""
     return _T["geometry_msgs/msg/Vector3"](*map(float, values))
 
 

@@ -38,13 +38,12 @@ def record(
     Raises:
         InputError: The bag exists or cannot be written, or this machine cannot render.
     """
-    total = config.drive.bundle_count
     # closing() frees the renderer at once when writing fails or the user interrupts.
     with _appearing_when_whole(bag) as unfinished, closing(simulate(config, rig, seed)) as snapshots:  # noqa: SIM117
-        with BagWriter(unfinished, rig) as writer:
+        with BagWriter(unfinished, rig, config.inertial, config.truth) as writer:
             for done, snapshot in enumerate(snapshots, start=1):
                 writer.write(snapshot)
-                on_bundle(done, total)
+                on_bundle(done, snapshot.bundle_count or done)
 
 
 @contextmanager

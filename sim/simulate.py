@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from estimator.rig import Rig
+from sim.channels.channels import ChannelMaker
 from sim.faults.chain import FaultChain
 from sim.light.on_board import OnBoardAtmosphere
 from sim.rendering.choice import open_renderer
@@ -12,10 +13,9 @@ from sim.scene import Scene, build_scene
 from sim.sensing.capture import CameraArray
 from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
+from sim.vehicle.car_sensors import CarSensors
 from sim.vehicle.car_state import velocity_in_ego, world_from_ego
-from sim.world import Snapshot, Truth, WorldConfig
-
-CLOCK_START_NS = 1_000_000_000  # stamp of the drive's time zero
+from sim.world import CLOCK_START_NS, Snapshot, Truth, WorldConfig
 
 
 def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, None, None]:
@@ -32,14 +32,22 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
     scene = build_scene(config, rig, seed)
     stage = Stage(scene, config.drive)
     air = None if scene.atmosphere is None else OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
+    sensors = CarSensors(config.inertial, stage.motion, scene.car, seed)
     cameras = CameraArray(scene.lenses, config.sensor, seed, air)
-    with open_renderer(config.renderer, scene.model) as renderer:
-        for index in range(stage.plan.bundle_count(config.drive.rate_hz)):
+    with (
+        open_renderer(config.renderer, scene.model) as renderer,
+        ChannelMaker(config.truth, scene) as maker,
+    ):
+        count = stage.plan.bundle_count(config.drive.rate_hz)
+        for index in range(count):
             time_s = config.drive.time_s(index)
+            samples = sensors.until(time_s)
             images = cameras.take(stage, renderer, index, time_s)
             truth = read_truth(scene, stage, time_s)
             frames = faults.pass_on(Snapshot.taken(truth, images).frames, index, time_s)
-            yield Snapshot(truth, frames, faults.lasting(time_s))
+            next_s = config.drive.time_s(index + 1) if index + 1 < count else None
+            channels = maker.at(stage, time_s, next_s)
+            yield Snapshot(truth, frames, faults.lasting(time_s), samples, count, channels)
 
 
 def read_truth(scene: Scene, stage: Stage, time_s: float) -> Truth:

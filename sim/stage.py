@@ -25,6 +25,11 @@ class Stage:
         self._qvel = slice(car.dofadr[0], car.dofadr[0] + physics.nv)
 
     @property
+    def motion(self) -> Motion:
+        """The driven car, for sensors that need no picture."""
+        return self._motion
+
+    @property
     def plan(self) -> SpeedPlan:
         """Where the car means to be at any time, and how long the drive takes."""
         return self._motion.plan

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Self
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Self
 
 from pydantic import Field, model_validator
 
 from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.se3 import SE3, Array
+from sim.channels.names import TruthChannel
 from sim.faults.fault import Fault, PassingFault
 from sim.faults.kinds import AnyFault
 from sim.frame import Frame
@@ -18,8 +19,14 @@ from sim.light.weather import WeatherConfig
 from sim.rendering.names import Quality, RendererName
 from sim.sensing.sensor import SensorConfig
 from sim.streets.street import StreetConfig
+from sim.vehicle.car_sensors import CarSamples
 from sim.vehicle.drive import DriveConfig
+from sim.vehicle.inertial import InertialConfig
 from sim.vehicle.miscalibration import MiscalibrationConfig
+
+CLOCK_START_NS = 1_000_000_000  # stamp of the drive's time zero
+if TYPE_CHECKING:  # it takes a whole world to make them
+    from sim.channels.channels import Channels
 
 STREET_MARGIN_M = 5.0  # of lane beyond the drive's end
 
@@ -32,9 +39,11 @@ class WorldConfig(Config):
     miscalibration: MiscalibrationConfig = MiscalibrationConfig()
     weather: WeatherConfig = WeatherConfig()
     sensor: SensorConfig = SensorConfig()
+    inertial: InertialConfig | None = None
     faults: list[AnyFault] = Field([])
     renderer: RendererName = "classic"
     quality: Quality = "standard"
+    truth: list[TruthChannel] = Field([])
 
     @model_validator(mode="after")
     def _street_is_long_enough(self) -> Self:
@@ -81,11 +90,17 @@ class Snapshot:
         frames: Images exposed at the truth's instant, with what they say of themselves; a camera may have
             none, or several.
         faults: What is wrong at this instant.
+        samples: What the car's other sensors have put out since the snapshot before.
+        channels: Truth beyond poses, if any was asked for.
+        bundle_count: How many snapshots the drive has in all; None if that is not known.
     """
 
     truth: Truth
     frames: tuple[Frame, ...]
     faults: tuple[Fault, ...] = ()
+    samples: CarSamples = field(default_factory=CarSamples)
+    bundle_count: int | None = None
+    channels: Channels | None = None
 
     @staticmethod
     def taken(truth: Truth, images: Mapping[str, Image]) -> Snapshot:

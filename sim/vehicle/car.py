@@ -37,6 +37,7 @@ class CarConfig:
     roll_bar_npm: float = 15_000.0
     bump_travel_m: float = 0.09
     steer_limit_rad: float = 0.65
+    imu_position_m: tuple[float, float, float] = (0.9, 0.0, 0.5)  # under the console
     tyre: TyreConfig = field(default_factory=TyreConfig)  # in front
     rear_tyre_share: float = 1.2  # stiffness of rear by front tyres: the car understeers
 
