@@ -18,6 +18,8 @@ from sim.rendering.quality import write_visual_settings
 from sim.seeds import rng_for
 from sim.sensing.lens import Lens, make_lens
 from sim.streets.street import build_street
+from sim.traffic.planned import traffic_of
+from sim.traffic.traffic import NOBODY, Traffic
 from sim.vehicle.cameras import MovingCameras, write_cameras
 from sim.vehicle.car import CarConfig, write_car
 from sim.vehicle.car_physics import physics_spec
@@ -40,6 +42,7 @@ class Scene:
         car: The car's sizes.
         road: What its wheels feel; None for the plane z = 0.
         atmosphere: Light and weather between renderer and lenses; None for clear air by day.
+        traffic: Everything else that moves.
     """
 
     model: mujoco.MjModel
@@ -50,6 +53,7 @@ class Scene:
     car: CarConfig
     road: Road | None = None
     atmosphere: Atmosphere | None = None
+    traffic: Traffic = NOBODY
 
 
 def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
@@ -66,11 +70,17 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
     atmosphere = Atmosphere(config.weather, surroundings, cameras, seed)
     glows = glows_of(street.scenery) if atmosphere.in_channels else None
 
+    traffic = traffic_of(config.street.traffic, street.network, config.drive, route, seed)
+
+    def write_scenery(spec: mujoco.MjSpec) -> None:
+        street.write_into(spec)
+        traffic.write_into(spec)
+
     def write_light(spec: mujoco.MjSpec) -> None:
         write_outdoors(spec, config.weather, seed, glows)
 
-    scene = assemble_scene(street.write_into, route, true_rig, road, mounts, config.quality, write_light)
-    return replace(scene, atmosphere=atmosphere)
+    scene = assemble_scene(write_scenery, route, true_rig, road, mounts, config.quality, write_light)
+    return replace(scene, atmosphere=atmosphere, traffic=traffic)
 
 
 def assemble_scene(

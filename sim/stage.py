@@ -17,7 +17,7 @@ class Stage:
 
     def __init__(self, scene: Scene, drive: DriveConfig) -> None:
         self._model, self._data = scene.model, mujoco.MjData(scene.model)
-        self._cameras = scene.cameras
+        self._cameras, self._traffic = scene.cameras, scene.traffic
         self._motion = Motion(drive, scene.route, scene.road, scene.car)
         check_times(scene.cameras.mounts.events, self.plan.duration_s)
         car, physics = scene.model.joint(CHASSIS_JOINT), self._motion.model
@@ -39,6 +39,7 @@ class Stage:
         state = self._motion.state_at(time_s)
         self._cameras.put(time_s)
         self._data.qpos[self._qpos], self._data.qvel[self._qvel] = state.qpos, state.qvel
+        self._traffic.place(self._data, time_s)
         mujoco.mj_kinematics(self._model, self._data)
         mujoco.mj_comPos(self._model, self._data)
         mujoco.mj_camlight(self._model, self._data)

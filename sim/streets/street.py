@@ -20,6 +20,7 @@ from sim.streets.lot import Facades
 from sim.streets.lots import draw_lots
 from sim.streets.network import Network, driven_line_m
 from sim.streets.scenery import Scenery, write_scenery
+from sim.traffic.config import TrafficConfig
 
 TALL_KINDS = ("canyon",)
 
@@ -47,6 +48,7 @@ class StreetConfig(Config):
     slope_percent: float = Field(0.0, ge=0.0, le=15.0)  # the steepest that is driven over
     speed_bumps: float = Field(0.0, ge=0.0, le=10.0)  # per 100 m
     roughness: float = Field(0.0, ge=0.0, le=5.0)  # 1 to 5: ISO 8608 classes A to E
+    traffic: TrafficConfig = TrafficConfig()
 
     @model_validator(mode="after")
     def _has_room_for_its_kind(self) -> Self:

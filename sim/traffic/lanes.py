@@ -79,7 +79,7 @@ def _goes_through(lane: Lane, cars: Sequence[Lane]) -> bool:
 def _beside_cars(lane: Lane, cars: Sequence[Track]) -> Track:
     """The lane, moved to the right wherever it must be to clear the cars that drive along with it."""
     path = lane.path
-    s_m = path.start_m + path.step_m * np.arange(len(path.points_m))
+    s_m = np.linspace(path.start_m, path.end_m, len(path.points_m))
     shift_m: Array = np.zeros(len(s_m))
     for car in cars:
         near, index = (np.asarray(each) for each in cKDTree(car.path.points_m).query(path.points_m))
@@ -90,8 +90,7 @@ def _beside_cars(lane: Lane, cars: Sequence[Track]) -> Track:
     width = round(_SWERVE_M / path.step_m)
     shift_m = np.asarray(maximum_filter1d(shift_m, width, mode="nearest"), float)
     shift_m = np.asarray(uniform_filter1d(shift_m, width, mode="nearest"), float)
-    aside_m: Array = -np.asarray(shift_m)
-    return track_along("bike", path_through(path.point_m(s_m, aside_m), path.closed), lane.speed_mps)
+    return track_along("bike", path_through(path.point_m(s_m, -shift_m), path.closed), lane.speed_mps)
 
 
 def ground_m(network: Network, track: Track) -> Array:

@@ -57,6 +57,9 @@ class Traffic:
             troupe.place(data, time_s)
 
 
+NOBODY = Traffic(())
+
+
 def build_traffic(
     config: TrafficConfig, network: Network, progress_m: Progress, top_mps: float, seed: int
 ) -> Traffic:
@@ -70,7 +73,7 @@ def build_traffic(
         seed: Everything random follows from it.
     """
     if config.is_empty:
-        return Traffic(())
+        return NOBODY
     vehicles = vehicle_models(seed) if config.cars else []
     platoon, own_lane = _own_lane(config, network, progress_m, top_mps, vehicles, seed)
     cars, driving = _cars(config, network, [platoon], vehicles, seed)
