@@ -7,6 +7,7 @@ from collections.abc import Generator
 from estimator.rig import Rig
 from sim.channels.channels import ChannelMaker
 from sim.faults.chain import FaultChain
+from sim.faults.own_clocks import CamerasOnClocks
 from sim.light.on_board import OnBoardAtmosphere
 from sim.rendering.choice import open_renderer
 from sim.scene import Scene, build_scene
@@ -33,7 +34,10 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
     stage = Stage(scene, config.drive)
     air = None if scene.atmosphere is None else OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
     sensors = CarSensors(config.inertial, stage.motion, scene.car, seed)
-    cameras = CameraArray(scene.lenses, config.sensor, seed, air)
+    faults.check_times(stage.plan.duration_s)
+    cameras = CamerasOnClocks(
+        scene.lenses, lambda lenses: CameraArray(lenses, config.sensor, seed, air), config.faults
+    )
     with (
         open_renderer(config.renderer, scene.model) as renderer,
         ChannelMaker(config.truth, scene) as maker,

@@ -12,7 +12,7 @@ from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.se3 import SE3, Array
 from sim.channels.names import TruthChannel
-from sim.faults.fault import Fault, PassingFault
+from sim.faults.fault import Fault
 from sim.faults.kinds import AnyFault
 from sim.frame import Frame
 from sim.light.weather import WeatherConfig
@@ -53,14 +53,6 @@ class WorldConfig(Config):
                 f"street.length_m is {self.street.length_m:g}; "
                 f"drive.distance_m {self.drive.distance_m:g} needs at least {needed_m:g}"
             )
-        return self
-
-    @model_validator(mode="after")
-    def _faults_begin_while_the_car_drives(self) -> Self:
-        end_s = self.drive.time_s(self.drive.bundle_count - 1)
-        for index, fault in enumerate(self.faults):
-            if isinstance(fault, PassingFault) and fault.at_s > end_s:
-                raise ValueError(f"faults[{index}].at_s is {fault.at_s:g}; the drive ends at {end_s:g} s")
         return self
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from estimator.errors import InputError
-from sim.faults.fault import ALL, Fault
+from sim.faults.fault import ALL, Fault, PassingFault
 from sim.faults.kinds import WAY
 from sim.frame import Frame
 from sim.seeds import rng_for
@@ -45,6 +45,17 @@ class FaultChain:
         check_cameras(faults, cameras)
         on_their_way = sorted(faults, key=lambda fault: WAY.index(type(fault)))
         self._stages = [FaultStage(fault, seed) for fault in on_their_way]
+
+        self._faults = tuple(faults)
+
+    def check_times(self, end_s: float) -> None:
+        """Raise InputError where a fault begins after the drive's end."""
+        for index, fault in enumerate(self._faults):
+            if isinstance(fault, PassingFault) and fault.at_s > end_s:
+                raise InputError(
+                    f"faults[{index}].at_s: got {fault.at_s:g}, "
+                    f"wanted no more than {end_s:.2f}, when the drive ends"
+                )
 
     def pass_on(self, frames: Iterable[Frame], index: int, time_s: float) -> tuple[Frame, ...]:
         """Return what reaches the recorder of the frames of bundle ``index``, whenever it arrives."""

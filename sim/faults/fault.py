@@ -9,6 +9,7 @@ from estimator.config import Config
 from sim.frame import Frame
 
 ALL = "all"
+_ROUNDING_S = 1e-9  # three tenths of a second is not quite two tenths and one
 
 
 class Fault(Config):
@@ -60,4 +61,5 @@ class PassingFault(Fault):
     duration_s: float | None = Field(None, gt=0.0, le=3600.0)
 
     def lasts(self, time_s: float) -> bool:
-        return self.at_s <= time_s and (self.duration_s is None or time_s < self.at_s + self.duration_s)
+        since_s = time_s - self.at_s + _ROUNDING_S
+        return since_s >= 0 and (self.duration_s is None or since_s < self.duration_s)

@@ -13,7 +13,8 @@ from estimator.rig_file import rig_to_yaml
 from scenarios.load import load_scenario
 from scenarios.scenario import Scenario
 from sim.faults.chain import FaultChain
-from sim.faults.fault import PassingFault
+from sim.faults.clock_faults import ClockOffset
+from sim.faults.wrong_intrinsics import WrongIntrinsics
 from sim.simulate import simulate
 from sim.world import Snapshot, WorldConfig
 
@@ -29,7 +30,7 @@ def same_pictures(names: Iterable[str]) -> list[list[str]]:
     groups: dict[str, list[str]] = {}
     for name in names:
         scenario = load_scenario(name)
-        key = rig_to_yaml(scenario.rig) + _without_passing_faults(scenario).model_dump_json()
+        key = rig_to_yaml(scenario.rig) + _as_taken(scenario).model_dump_json()
         groups.setdefault(key, []).append(name)
     return list(groups.values())
 
@@ -37,7 +38,7 @@ def same_pictures(names: Iterable[str]) -> list[list[str]]:
 def first_bundles(names: Sequence[str]) -> dict[str, list[Snapshot]]:
     """Simulate the first bundles of scenarios that show the same, seed 0, each with its own faults."""
     scenarios = [shrunk(load_scenario(name)) for name in names]
-    with closing(simulate(_without_passing_faults(scenarios[0]), scenarios[0].rig, 0)) as snapshots:
+    with closing(simulate(_as_taken(scenarios[0]), scenarios[0].rig, 0)) as snapshots:
         sound = list(islice(snapshots, BUNDLES))
     return {scenario.name: _with_faults(scenario, sound) for scenario in scenarios}
 
@@ -51,9 +52,10 @@ def _with_faults(scenario: Scenario, sound: Iterable[Snapshot]) -> list[Snapshot
     ]
 
 
-def _without_passing_faults(scenario: Scenario) -> WorldConfig:
-    lasting = [fault for fault in scenario.world.faults if not isinstance(fault, PassingFault)]
-    return scenario.world.model_copy(update={"faults": lasting})
+def _as_taken(scenario: Scenario) -> WorldConfig:
+    """Return the world with those faults only that change how pictures are taken."""
+    taken = [fault for fault in scenario.world.faults if isinstance(fault, (WrongIntrinsics, ClockOffset))]
+    return scenario.world.model_copy(update={"faults": taken})
 
 
 def shrunk(scenario: Scenario) -> Scenario:

@@ -108,12 +108,6 @@ def test_an_image_of_wrong_resolution_shows_the_same_field() -> None:
     assert image.mean() == pytest.approx(frames_at(0)[2].image.mean(), abs=1.0)
 
 
-def test_a_clock_that_is_ahead_stamps_later_and_arrives_as_ever() -> None:
-    for bundle in drive({"kind": "clock_offset", "camera": "rear", "offset_ms": 30}):
-        (frame,) = of("rear", bundle)
-        assert frame.stamp_ns - frame.arrival_ns == 30 * MS
-
-
 def test_jitter_has_its_sigma_and_bounds() -> None:
     bundles = drive({"kind": "jitter", "camera": "all", "sigma_ms": 5}, count=400)
     off_ms = np.array([(frame.stamp_ns - frame.arrival_ns) / MS for b in bundles for frame in b])
