@@ -23,8 +23,8 @@ from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
 
 _HALF_STEP_S = 0.001
-_RIM_PX = 2  # around what stands in front, which moves with it: a sample mixes what its pixels show
-_STEP_IN_DEPTH = 1.05  # ratio of depths from which one thing stands in front of another
+_RIM_PX = 4  # around what stands in front, which moves with it: a sample mixes what its pixels show
+_STEP_IN_DEPTH = 1.1  # ratio of depths from which one thing stands in front of another
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,8 +16,8 @@ PixelMap = npt.NDArray[np.float32]  # (h, w, 2) source pixels
 PixelRates = npt.NDArray[np.float32]  # (H, W, 2) px/s on the source's grid
 
 BORDER_PX = 2  # room for interpolation at the rim of a source
-DRIFT_MARGIN_PX = 6  # room for samples that are looked up where things were a moment before
-_LOOK_UPS = 2  # the rate where a sample comes from, not where it arrives
+DRIFT_MARGIN_PX = 8  # room for samples that are looked up where things were a moment before
+_SAME_THING_PX = 0.3
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,9 +108,13 @@ class Face:
 
 
 def _where_it_was(map_xy: PixelMap, rates: PixelRates, delay_s: npt.NDArray[np.float32]) -> PixelMap:
-    """Return the place in the source picture of what reaches each sample ``delay_s`` after it."""
-    place = map_xy
-    for _ in range(_LOOK_UPS):
-        rate = cv2.remap(rates, place, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-        place = map_xy - delay_s * rate
-    return np.asarray(place)
+    """Return the place in the source picture of what reaches each sample ``delay_s`` after it.
+
+    What counts is the rate at that place, not where it arrives; but where the two are of different things,
+    one uncovers the other, and what is uncovered is taken from beside it.
+    """
+    arriving = delay_s * cv2.remap(rates, map_xy, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    place = map_xy - arriving
+    leaving = delay_s * cv2.remap(rates, place, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+    same = (np.abs(leaving - arriving) < _SAME_THING_PX).all(axis=-1, keepdims=True)
+    return np.asarray(np.where(same, map_xy - leaving, place))

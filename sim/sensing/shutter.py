@@ -14,10 +14,10 @@ import numpy as np
 from estimator.se3 import Array
 from sim.sensing.exposure import Exposure
 
-STRIP_PX = 4.0  # what a slot may move where rows are put to their own instants afterwards
+STRIP_PX = 6.0  # what a slot may move where rows are put to their own instants afterwards
 BLUR_STEP_PX = 1.25  # what it may move from one picture to the next of those that make a blur
 _LEAST_BLUR_PX = 0.25  # less is a point
-_MOST_SLOTS = 64
+_COUNTS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64)  # few, so that cameras take pictures together
 _LONGEST_BLUR_S = 0.033  # a camera of 30 images a second has no more
 
 
@@ -69,7 +69,7 @@ def slot_count(shutter: Shutter, fastest_px_s: float) -> int:
     if blur_px > _LEAST_BLUR_PX:
         in_window = max(2.0, np.ceil(blur_px / BLUR_STEP_PX))
         count = max(count, np.ceil(in_window * whole_s / shutter.blur_s))
-    return int(np.clip(count, 1, _MOST_SLOTS))
+    return next((enough for enough in _COUNTS if enough >= count), _COUNTS[-1])
 
 
 def slots(shutter: Shutter, rows: int, count: int) -> list[Slot]:

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 
 from estimator.camera import Camera
-from sim.rendering.view import Renderer, View
+from sim.rendering.view import FAR_M, Renderer, View
 from sim.sensing.atmosphere import Atmosphere
 from sim.sensing.body_boxes import BodyBoxes
 from sim.sensing.drift import Drift
@@ -23,8 +23,9 @@ from sim.sensing.shutter import Shutter, Slot, slot_count, slots
 from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
 
+_SKY_M = 0.9 * FAR_M
 _PROBE_SCALE = 4  # the probe's pictures are this much smaller
-_FASTEST_SHARE = 0.98  # of the image moves slower than what the pictures are spaced for
+_FASTEST_SHARE = 0.995  # of what is not sky moves slower than what the pictures are spaced for
 
 
 class Sweep:
@@ -44,10 +45,13 @@ class Sweep:
     ) -> dict[str, GreyImage]:
         """Return each camera's light, its exposure centred on ``time_s``."""
         fastest_px_s = self._fastest_px_s(stage, renderer, time_s)
+        counts = {name: slot_count(shutters[name], fastest_px_s[name]) for name in self._lenses}
+        if not any(shutter.blur_s for shutter in shutters.values()):
+            # Strips add up to one picture however many: taken together, they share what an instant costs.
+            counts = dict.fromkeys(counts, max(counts.values()))
         parts: dict[float, list[tuple[str, Slot]]] = defaultdict(list)
         for name, lens in self._lenses.items():
-            count = slot_count(shutters[name], fastest_px_s[name])
-            for slot in slots(shutters[name], lens.size_px[1], count):
+            for slot in slots(shutters[name], lens.size_px[1], counts[name]):
                 parts[slot.time_s].append((name, slot))
         lights = {name: np.zeros(lens.size_px[::-1], np.float32) for name, lens in self._lenses.items()}
         for offset_s in sorted(parts):
@@ -104,10 +108,12 @@ class Sweep:
         pictures = renderer.render(data, views, depth=True)
         fastest_px_s = {}
         for name, lens in self._lenses.items():
-            speeds = []
+            speeds = [np.zeros(1)]
             for key, face in zip(lens.keys(name), lens.faces, strict=True):
-                rates = drift.pixel_rates(name, views[key], face.cam_from_face, pictures[key].depth_m)
-                speeds.append(_PROBE_SCALE * np.linalg.norm(rates, axis=-1).ravel())
+                depth_m = pictures[key].depth_m
+                assert depth_m is not None
+                rates = drift.pixel_rates(name, views[key], face.cam_from_face, depth_m)
+                speeds.append(_PROBE_SCALE * np.linalg.norm(rates, axis=-1)[depth_m < _SKY_M])
             fastest_px_s[name] = float(np.quantile(np.concatenate(speeds), _FASTEST_SHARE))
         return fastest_px_s
 
