@@ -97,7 +97,7 @@ def _lay_repairs(
 ) -> None:
     """Patches and trenches: other tone, other grain, a sealed seam around."""
     canvas = road.canvas
-    grain = fractal(rng, canvas.shape, canvas.cells(0.2), 4, 0.9)
+    grain = np.clip(0.85 + 0.12 * fractal(rng, canvas.shape, canvas.cells(0.2), 4, 0.9), 0, 1)
     for _ in range(round(area_m2 / 18.0)):
         x, y = rng.uniform(0, canvas.shape[1] * canvas.texel_m[0]), rng.uniform(0, left_m - right_m)
         length, width = rng.choice([(0.8, 0.6), (1.6, 1.1), (2.6, 0.8), (5.5, 0.7), (0.6, 3.4)])
@@ -105,7 +105,7 @@ def _lay_repairs(
         corners = np.array([[0, 0], [length, 0], [length, width], [0, width]]) + np.array([x, y])
         corners += rng.normal(0, 0.04, (4, 2))
         tone = rng.uniform(66, 124)
-        canvas.fill(corners, (tone, tone, tone * 0.98), 0.85, np.clip(0.85 + 0.12 * grain, 0, 1))
+        canvas.fill(corners, (tone, tone, tone * 0.98), 0.85, grain)
         canvas.stroke(corners, rng.uniform(0.03, 0.08), (48, 48, 50), 0.7, closed=True)
 
 
@@ -144,6 +144,8 @@ def _set_covers(
 ) -> None:
     """Manhole covers, valve caps and gully grates."""
     canvas = road.canvas
+    if wear < 0.5:
+        return  # plain roads have their drains beside them
     for _ in range(round(wear * length_m / 7.0)):
         x, y = rng.uniform(1, length_m - 1), rng.uniform(0.8, left_m - right_m - 0.8)
         if rng.random() < 0.6:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from shapely import distance, points
+from shapely import contains_xy, prepare
 from shapely.geometry import Polygon, box
 from shapely.ops import unary_union
 
@@ -20,7 +20,7 @@ _BELOW_VERGE_M = 0.03
 _UNDER_M = 0.15  # how far it reaches under pavements
 _OVERLAP_M = 0.05  # closes the seams between what is paved
 _HORIZON_M = 320.0
-_RINGS_M = ((0.0, 12.0, 2.0), (12.0, 60.0, 6.0), (60.0, 1e9, 40.0))  # nearer than, farther than, step
+_RINGS_M = ((12.0, 2.0), (60.0, 6.0), (None, 40.0))  # up to how far from the streets, and the step there
 
 
 def build_land(network: Network, rng: np.random.Generator) -> Scenery:
@@ -55,11 +55,13 @@ def _pavement(kerb: KerbLine) -> Polygon:
 
 def _vertices(around: Polygon, paved: Polygon) -> Array:
     """Dense near the streets, sparse towards the horizon."""
-    x0, y0, x1, y1 = around.bounds
-    found = []
-    for near, far, step in _RINGS_M:
-        x, y = np.meshgrid(np.arange(x0, x1, step), np.arange(y0, y1, step))
-        grid = np.stack([x.ravel(), y.ravel()], axis=1)
-        away = distance(points(grid), paved)
-        found.append(grid[(away >= near) & (away < far)])
+    found, inner = [], paved
+    for reach, step in _RINGS_M:
+        outer = paved.buffer(reach, quad_segs=4) if reach else around
+        x0, y0, x1, y1 = outer.bounds
+        x, y = (axis.ravel() for axis in np.meshgrid(np.arange(x0, x1, step), np.arange(y0, y1, step)))
+        prepare([outer, inner])
+        kept = contains_xy(outer, x, y) & ~contains_xy(inner, x, y)
+        found.append(np.stack([x[kept], y[kept]], axis=1))
+        inner = outer
     return np.vstack(found)
