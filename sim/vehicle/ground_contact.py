@@ -20,8 +20,8 @@ from estimator.se3 import Array
 from sim.vehicle.car import CHASSIS, WHEELS, CarConfig
 from sim.vehicle.car_physics import STEP_S
 
-_SPACING_M = 0.04
-_REACH = 6  # samples to either side of the contact that can touch the tyre
+_SPACING_M = 0.05
+_REACH = 5  # samples to either side of the contact that can touch the tyre
 _FOOTPRINT = 3  # samples over which the tyre's belt averages along, and as wide as the tyre across
 _SAMPLE_EVERY_M = 0.2  # of travel; between, height and normal change evenly
 _LOOK_AHEAD_STEPS = 10  # short enough that where the wheels will be is known to a millimetre
