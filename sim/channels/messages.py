@@ -21,7 +21,7 @@ _IMAGE, _TEXT = "sensor_msgs/msg/Image", "std_msgs/msg/String"
 def channel_topics(cameras: Collection[str], wanted: Collection[TruthChannel]) -> Iterator[tuple[str, str]]:
     """Yield topic and message type of everything that ``channel_messages`` may yield."""
     kinds = {"depth": ("depth",), "segmentation": ("class", "instance"), "optical_flow": ("optical_flow",)}
-    for channel in wanted:
+    for channel in dict.fromkeys(wanted):
         for kind in kinds.get(channel, ()):
             for name in cameras:
                 yield f"/truth/{name}/{kind}", _IMAGE
