@@ -36,10 +36,22 @@ def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
         context = first["ctx"]
         wanted = context.get("min_length", context.get("max_length"))
         return f"{path}: got {context['actual_length']} values, wanted {wanted}"
+    if first["type"] == "literal_error":
+        return f"{path}: got {got}, wanted {_choices(details, path, model)}"
     if first["type"] == "value_error":
         return f"{path}: {first['ctx']['error']}"
     wanted = first["msg"].removeprefix("Input should be ").replace("a valid tuple", "a list")
     return f"{path}: got {got}, wanted {wanted.replace('a valid ', 'a ').replace('a integer', 'an integer')}"
+
+
+def _choices(details: Sequence[ErrorDetails], path: str, model: type[BaseModel]) -> str:
+    """Return what may stand at a path; of a union of choices every member tells its own."""
+    texts = [
+        each["ctx"]["expected"]
+        for each in details
+        if each["type"] == "literal_error" and key_path(follow(model, each["loc"])[0]) == path
+    ]
+    return " or ".join(texts)
 
 
 def key_path(location: Sequence[int | str]) -> str:
