@@ -15,6 +15,7 @@ _SUN_DISTANCE_M = 150.0
 _CLEAR_SUN = np.array([1.22, 1.17, 1.07])
 _CLEAR_AMBIENT, _GREY_AMBIENT = np.array([0.41, 0.42, 0.44]), np.array([0.72, 0.72, 0.72])
 _CLEAR_ABOVE, _GREY_ABOVE = np.array([0.14, 0.15, 0.17]), np.array([0.38, 0.38, 0.38])
+_DUSK_LOSS = 0.4  # of what the ground gets: only a part of the sky is still bright
 _CLEAR_OPPOSITE = np.array([0.31, 0.32, 0.34])
 _DAY_CHANNEL = np.array([1.0, 0.0, 0.0])  # see sim.light.channels
 _LUMA = np.array([0.299, 0.587, 0.114])
@@ -78,8 +79,9 @@ def write_lights(spec: mujoco.MjSpec, daylight: Daylight, in_channels: bool) -> 
     def tint(color: Array) -> Array:
         return np.asarray(_LUMA @ color * _DAY_CHANNEL if in_channels else color)
 
-    ambient = _GREY_AMBIENT + around * (_CLEAR_AMBIENT - _GREY_AMBIENT)
-    above = _GREY_ABOVE + around * (_CLEAR_ABOVE - _GREY_ABOVE)
+    fading = 1.0 - _DUSK_LOSS * daylight.dusk
+    ambient = (_GREY_AMBIENT + around * (_CLEAR_AMBIENT - _GREY_AMBIENT)) * fading
+    above = (_GREY_ABOVE + around * (_CLEAR_ABOVE - _GREY_ABOVE)) * fading
     spec.visual.headlight.active = 1
     spec.visual.headlight.ambient = tint(ambient) + ([0.0, 1.0, 1.0] if in_channels else [0.0, 0.0, 0.0])
     spec.visual.headlight.diffuse = [0.0, 0.0, 0.0]

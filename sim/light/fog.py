@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 
 from estimator.se3 import SE3
-from sim.light.headlights import beam, headlight_places_m
+from sim.light.headlights import hazy_beam, headlight_places_m
 from sim.light.lamps import LightSource
 from sim.light.surfaces import Floats, Surfaces
 from sim.light.weather import WeatherConfig, on_ladder
@@ -23,7 +23,7 @@ _CONTRAST_SEEN = 3.0  # optical thickness at the meteorological range: a contras
 _LAYER_M, _HORIZON_M = 40.0, 400.0  # how thick fog lies over the ground, and how far it goes
 _WHITE = 255.0  # levels that illuminance 1 gives on white
 _COARSE = 2  # lit air is smooth: every other sample will do
-_BEAM_STEPS_M = np.array([0.8, 1.6, 3.0, 5.0, 8.0, 12.0, 18.0, 27.0, 40.0], np.float32)
+_BEAM_STEPS = 20
 
 
 def extinction_per_m(weather: WeatherConfig) -> float:
@@ -58,23 +58,25 @@ def lamp_haze(sources: Sequence[LightSource], surfaces: Surfaces, per_m: float) 
 
 
 def headlight_haze(world_from_ego: SE3, surfaces: Surfaces, per_m: float) -> Floats:
-    """Return (h, w) levels that the car's own beams add: sampled along the ray."""
+    """Return (h, w) levels that the car's own beams add.
+
+    Sampled along the ray at equal angles seen from the lamp, which cancels the inverse square (Kulla & Fajardo
+    2012, "Importance sampling techniques for path tracing in participating media").
+    """
     rays, reach = _rays(surfaces)
+    turn = world_from_ego.rotation.T.astype(np.float32)
+    rays = np.einsum("ij,jhw->ihw", turn, rays)
     total = np.zeros(reach.shape, np.float32)
-    turn = world_from_ego.inverse().rotation.astype(np.float32)
-    rays_ego = np.einsum("ij,jhw->ihw", turn, rays)
     for place in headlight_places_m(world_from_ego):
-        start = turn @ (surfaces.eye_m - place.astype(np.float32))
-        before = np.float32(0)
-        for step in _BEAM_STEPS_M:
-            away = start[:, None, None] + step * rays_ego
-            length = np.clip(reach - before, 0, step - before)
-            before = step
-            ahead = away[0] > 0.3
-            away[0] = np.maximum(away[0], 0.3)
-            distance2 = np.einsum("ihw,ihw->hw", away, away)
-            lit = beam(away.reshape(3, -1)).reshape(distance2.shape) / distance2
-            total += np.where(ahead, lit * length * np.exp(-per_m * 2 * step), 0)
+        to_lamp = turn @ (place.astype(np.float32) - surfaces.eye_m)
+        nearest = np.einsum("i,ihw->hw", to_lamp, rays)
+        apart = np.sqrt(np.maximum(float(to_lamp @ to_lamp) - nearest**2, np.float32(0.01)))
+        first, last = np.arctan(-nearest / apart), np.arctan((reach - nearest) / apart)
+        for share in (np.arange(_BEAM_STEPS, dtype=np.float32) + np.float32(0.5)) / np.float32(_BEAM_STEPS):
+            along = nearest + apart * np.tan(first + share * (last - first))
+            away = along * rays - to_lamp[:, None, None]
+            lit = hazy_beam(away) * np.exp(np.float32(-2 * per_m) * along)
+            total += lit * (last - first) / (apart * np.float32(_BEAM_STEPS))
     return _finer(total * np.float32(_WHITE * per_m / 4), surfaces)
 
 

@@ -16,6 +16,7 @@ _DIP = 0.012  # tangent by which the cut-off lies under the horizon
 _CUT_OFF = 0.012  # tangent over which it fades
 _ABOVE = 0.015  # of the peak, above the cut-off
 _DOWN = 0.05  # tangent over which the beam fades towards the car, so that the road is lit evenly
+_HAZY, _HAZY_PEAK = 4.0, 0.4  # how much softer the beam is in fog, and what is left of its peak
 _WIDE, _WIDER = 0.30, 0.85  # tangents of the beam's width and of its skirts
 
 
@@ -42,11 +43,19 @@ def headlight_places_m(world_from_ego: SE3) -> Array:
     return world_from_ego.apply(np.array(_PLACES_EGO_M))
 
 
-def beam(away_ego: Floats) -> Floats:
-    """Return the intensity of one beam along (3, N) directions in the ego frame that point ahead."""
+def hazy_beam(away_ego: Floats) -> Floats:
+    """Return the intensity of one beam along (3, ...) directions, blurred as it scatters more than once."""
+    ahead = np.maximum(away_ego[0], np.float32(0.05))
+    lit = beam(np.stack([ahead, away_ego[1], away_ego[2]]), _HAZY)
+    return np.asarray(np.where(away_ego[0] > 0.05, np.float32(_HAZY_PEAK) * lit, np.float32(0)))
+
+
+def beam(away_ego: Floats, softness: float = 1.0) -> Floats:
+    """Return the intensity of one beam along (3, ...) directions in the ego frame that point ahead."""
     across, up = away_ego[1] / away_ego[0], away_ego[2] / away_ego[0] + np.float32(_DIP)
-    below = 1 / (1 + np.square(np.minimum(up, 0) / np.float32(_DOWN)))
-    above = _ABOVE + (1 - _ABOVE) * np.exp(-np.square(np.maximum(up, 0) / np.float32(_CUT_OFF)))
+    below = 1 / (1 + np.square(np.minimum(up, 0) / np.float32(softness * _DOWN)))
+    edge = np.exp(-np.square(np.maximum(up, 0) / np.float32(softness * _CUT_OFF)))
+    above = _ABOVE + (1 - _ABOVE) * edge
     wide = np.exp(-np.square(across / np.float32(_WIDE))) + 0.07 * np.exp(
         -np.abs(across / np.float32(_WIDER))
     )

@@ -18,7 +18,7 @@ from sim.rendering.view import FAR_M, DepthImage, View
 
 Floats = npt.NDArray[np.float32]
 STEP = 3  # pixels between samples
-_BEND = 0.04  # of 1/depth between neighbours, relative, that makes an edge; planes have none
+_BEND = 3e-4  # of 1/depth between neighbours, 1/m, that makes an edge or a crease; planes have none
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +31,7 @@ class Surfaces:
         stretch: (H, W) distance along the ray over depth.
         points_m: (3, h, w) world positions of every third pixel of every third row.
         normals: (3, h, w) unit world normals that face the camera.
+        slopes: (2, h, w) how 1/depth grows by a pixel to the right and down: constant on planes.
         eye_m: (3,) world position of the camera.
     """
 
@@ -39,6 +40,7 @@ class Surfaces:
     stretch: Floats
     points_m: Floats
     normals: Floats
+    slopes: Floats
     eye_m: Floats
 
     def enlarged(self, coarse: Floats) -> Floats:
@@ -55,22 +57,25 @@ class Surfaces:
     @cached_property
     def _edges(self) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
         """Flat indices of pixels at edges, and of the sample to take there."""
-        return _edge_samples(self.depth_m)
+        return _edge_samples(self.depth_m, self.slopes)
 
 
 def surfaces_of(view: View, depth_m: DepthImage) -> Surfaces:
     """Reconstruct the surfaces of a view from its depth."""
     plane_x, plane_y, stretch = _plane(view.pinhole)
     depth = depth_m[::STEP, ::STEP]
-    x, y = plane_x[::STEP] * depth, plane_y[::STEP, None] * depth
-    points_cam = np.stack([x, y, depth])
-    normals_cam = _normals(points_cam)
+    x, y = plane_x[::STEP], plane_y[::STEP, None]
+    points_cam = np.stack([x * depth, y * depth, depth])
+    nearness = np.asarray(1 / depth_m, np.float32)
+    here = nearness[::STEP, ::STEP]
+    slopes = np.stack([_slope(nearness, here, 1), _slope(nearness, here, 0)])
+    normals_cam = _normals(here, slopes, x, y, view.pinhole)
     turn = view.world_from_cam.rotation.astype(np.float32)
     eye = view.world_from_cam.translation.astype(np.float32)
     shape = points_cam.shape
     points = (turn @ points_cam.reshape(3, -1)).reshape(shape) + eye[:, None, None]
     normals = (turn @ normals_cam.reshape(3, -1)).reshape(shape)
-    return Surfaces(depth_m, depth_m > FAR_M * 0.999, stretch, points, normals, eye)
+    return Surfaces(depth_m, depth_m > FAR_M * 0.999, stretch, points, normals, slopes, eye)
 
 
 @lru_cache(maxsize=128)
@@ -82,43 +87,50 @@ def _plane(pinhole: Camera) -> tuple[Floats, Floats, Floats]:
     return x, y, np.sqrt(1 + x[None, :] ** 2 + y[:, None] ** 2)
 
 
-def _normals(points: Floats) -> Floats:
-    """Return (3, h, w) unit normals towards the origin; of two neighbours, the one nearer in depth counts."""
-    across, down = _step(points, 2), _step(points, 1)
-    normal = np.stack(
-        [
-            across[1] * down[2] - across[2] * down[1],
-            across[2] * down[0] - across[0] * down[2],
-            across[0] * down[1] - across[1] * down[0],
-        ]
-    )
-    away = np.einsum("ihw,ihw->hw", normal, points)
+def _normals(here: Floats, slopes: Floats, x: Floats, y: Floats, pinhole: Camera) -> Floats:
+    """Return (3, h, w) unit normals towards the camera, from (h, w) 1/depth and its slopes.
+
+    With nearness q = 1/z a plane n . p = d is n_x x + n_y y + n_z = d q, linear in the image: the gradient of
+    q gives its normal, exactly.
+    """
+    by_x, by_y = (slopes[k] * np.float32(pinhole.focal_px[k]) for k in (0, 1))
+    normal = np.stack([by_x, by_y, here - by_x * x - by_y * y])
     size = np.sqrt(np.einsum("ihw,ihw->hw", normal, normal)) + np.float32(1e-12)
-    return np.asarray(normal * (np.where(away > 0, np.float32(-1), np.float32(1)) / size))
+    return np.asarray(normal / -size)
 
 
-def _step(points: Floats, axis: int) -> Floats:
-    change = np.diff(points, axis=axis)
-    first, last = np.take(change, [0], axis), np.take(change, [-1], axis)
-    after, before = np.concatenate([change, last], axis), np.concatenate([first, change], axis)
-    return np.where(np.abs(after[2]) < np.abs(before[2]), after, before)
+def _slope(nearness: Floats, here: Floats, axis: int) -> Floats:
+    """Return (h, w) how the nearness grows by a pixel along an axis, at the samples."""
+    length = nearness.shape[axis]
+    places = STEP * np.arange(here.shape[axis])
+    across = nearness[:, ::STEP] if axis == 0 else nearness[::STEP]
+    after = np.take(across, np.minimum(places + 1, length - 1), axis) - here
+    before = here - np.take(across, np.maximum(places - 1, 0), axis)
+    # At the border a neighbour is missing, its difference zero: the other one counts.
+    only_before = np.abs(after) > np.abs(before)
+    swap = (before != 0) & only_before | (after == 0)
+    return np.where(swap, before, after)
 
 
-def _edge_samples(depth_m: DepthImage) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
-    height, width = depth_m.shape
-    nearness = 1 / depth_m
+def _edge_samples(depth_m: DepthImage, slopes: Floats) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+    """Return flat indices of pixels at edges, and of the sample around each whose plane it lies on best."""
+    width = depth_m.shape[1]
+    nearness = np.asarray(1 / depth_m, np.float32)
     bend = cv2.absdiff(cv2.Laplacian(nearness, cv2.CV_32F, ksize=1), 0)
-    edge = cv2.dilate(cv2.compare(bend, _BEND * nearness, cv2.CMP_GT), np.ones((3, 3), np.uint8))
+    edge = cv2.dilate(cv2.compare(bend, _BEND, cv2.CMP_GT), np.ones((3, 3), np.uint8))
     index = np.flatnonzero(edge)
     row, column = np.divmod(index.astype(np.int32), np.int32(width))
-    row, column = row // STEP, column // STEP
-    rows, columns = -(-height // STEP), -(-width // STEP)
+    rows, columns = slopes.shape[1:]
     here, coarse = nearness.ravel()[index], nearness[::STEP, ::STEP].ravel()
+    right, down = slopes.reshape(2, -1)
     best, best_gap = np.zeros_like(row), np.full(len(index), np.inf, np.float32)
-    for down in (0, 1):
-        for right in (0, 1):
-            sample = np.minimum(row + down, rows - 1) * columns + np.minimum(column + right, columns - 1)
-            gap = np.abs(coarse[sample] - here)
+    for below in (0, 1):
+        for beside in (0, 1):
+            low_row = np.minimum(row // STEP + below, rows - 1)
+            low_column = np.minimum(column // STEP + beside, columns - 1)
+            sample = low_row * np.int32(columns) + low_column
+            ahead = right[sample] * (column - STEP * low_column) + down[sample] * (row - STEP * low_row)
+            gap = np.abs(coarse[sample] + ahead - here)
             nearer = gap < best_gap
             best[nearer], best_gap[nearer] = sample[nearer], gap[nearer]
     return index, best

@@ -18,7 +18,7 @@ from sim.seeds import rng_for
 
 _COUNT = (0.0, 6.0, 12.0, 20.0, 30.0, 44.0)
 _SIZE = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2)
-_RADIUS = (0.010, 0.034)  # of the image's width
+_RADIUS = (0.012, 0.055)  # of the image's width
 _LIFE_S = (5.0, 16.0)
 _LANDING_S = 0.08
 _FIELD = 0.42  # of the image's width that a drop shows, upside down, from its middle to its rim
@@ -114,7 +114,7 @@ def _refract(result: Floats, small: Floats, drop: Drop, age_s: float, aged: floa
     )
     seen *= 1 - 0.45 * np.clip((out - 0.55) / 0.45, 0, 1) ** 2  # the rim bends light out of the lens
     seen += drop.glint * seen * np.exp(-((x + 0.3) ** 2 + (y + 0.4) ** 2) / 0.05)
-    t = np.clip((1.12 - out) / 0.4, 0, 1)
+    t = np.clip((1.15 - out) / 0.5, 0, 1)  # out of focus, so without an outline
     cover = (t * t * (3 - 2 * t)).astype(np.float32)
     patch = result[rows, columns]
     patch += cover * (seen - patch)

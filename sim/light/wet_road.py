@@ -19,7 +19,8 @@ from sim.rendering.view import View
 _DRY_BELOW, _WET_ABOVE = 0.80, 0.95  # of the normal's z
 _TILE_PX, _TILE_M = 512, 48.0
 _STEPS = np.geomspace(0.03, 8.0, 15)  # along the mirrored ray, in lengths of the viewing ray
-_GLOSS_PX = (2.0, 0.8)  # how far the road's grain smears a reflection, down and across, in coarse samples
+# How far a reflection is smeared, down and across, in coarse samples: by standing water, by a film on grains.
+_CALM_PX, _GRAINY_PX = (1.0, 0.6), (9.0, 1.4)
 _BEHIND = 0.02  # of its depth by which a ray must lie behind something to have met it
 _AT_RIGHT_ANGLES = 0.02  # of light that water reflects
 
@@ -63,13 +64,16 @@ class WetRoad:
         length = np.sqrt(np.einsum("ij,ij->j", rays, rays))
         slope = np.abs(rays[2]) / length
         fresnel = _AT_RIGHT_ANGLES + (1 - _AT_RIGHT_ANGLES) * (1 - slope) ** 5
-        water = self._film + (1 - self._film) * self._standing(points)
-        strength[rows, columns] = wet[rows, columns] * water * fresnel
+        standing = self._standing(points)
+        film = np.float32(self._film) * (1 - standing)
+        strength[rows, columns] = wet[rows, columns] * (standing + film) * fresnel
+        calm = np.zeros_like(wet)
+        calm[rows, columns] = standing / (standing + film + np.float32(1e-6))
         bounced = rays * np.array([[1], [1], [-1]], np.float32)
         small = cv2.resize(light, wet.shape[::-1], interpolation=cv2.INTER_AREA)
         mirrored[rows, columns] = _trace(points, bounced, small, surfaces, view)
-        mirrored = _within(mirrored, wet)
-        return strength, mirrored
+        grainy = _smeared(mirrored, wet, _GRAINY_PX)
+        return strength, grainy + calm * (_smeared(mirrored, wet, _CALM_PX) - grainy)
 
     def _standing(self, points: Floats) -> Floats:
         """Return how much water stands, by world position; the tile is mirrored at its borders."""
@@ -110,9 +114,9 @@ def _pixel(
     return clipped_row, np.clip(column, 0, shape[1] - 1).astype(np.intp), inside
 
 
-def _within(mirrored: Floats, wet: Floats) -> Floats:
-    """Smear the reflection by the road's grain, over wet samples only."""
-    down, across = _GLOSS_PX
+def _smeared(mirrored: Floats, wet: Floats, gloss_px: tuple[float, float]) -> Floats:
+    """Smear the reflection over wet samples only."""
+    down, across = gloss_px
     share = cv2.GaussianBlur(wet, (0, 0), sigmaX=across, sigmaY=down)
     smeared = cv2.GaussianBlur(mirrored * wet, (0, 0), sigmaX=across, sigmaY=down)
     return np.asarray(smeared / np.maximum(share, np.float32(1e-3)))

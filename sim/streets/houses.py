@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 
 from estimator.se3 import Array
 from sim.paint.facade import paint_facade
+from sim.paint.lit_windows import light_windows
 from sim.shapes.facade import Facade
 from sim.shapes.facade_plan import CANYON, OLD_TOWN, draw_facade, draw_plain_house
 from sim.shapes.house_mesh import house_mesh
@@ -58,7 +59,7 @@ def build_houses(
     module_rng, *streams = rng.spawn(1 + len(lots))
     module = draw_facade(MODULE_M, module_rng, corner=True, floors=floors) if facades == "repeated" else None
     if module:
-        skins["house_module"] = Skin(paint_facade(module, NEAR.texel_m, module_rng))
+        skins["house_module"] = _skin(module, NEAR.texel_m, module_rng)
     for k, (lot, stream) in enumerate(zip(lots, streams, strict=True)):
         if lot.use == "garden":
             continue
@@ -66,11 +67,16 @@ def build_houses(
         facade, skin = module, "house_module"
         if facade is None:
             facade, skin = _drawn(lot, facades, floors, stream), f"house_{k}"
-            skins[skin] = Skin(paint_facade(facade, detail.texel_m, stream))
+            skins[skin] = _skin(facade, detail.texel_m, stream)
         mesh = house_mesh(facade, lot.front_m, lot.back_m, detail.relief_m, lot.seen)
         z = float(relief.height_m(lot.front_m).mean()) + lot.curb_m - _SINK_M
         props.append(Prop(f"house_{k}", mesh, skin, (0.0, 0.0, z), footprint_m=lot.outline_m))
     return Scenery(tuple(props), skins)
+
+
+def _skin(facade: Facade, texel_m: float, rng: np.random.Generator) -> Skin:
+    image = paint_facade(facade, texel_m, rng)
+    return Skin(image, glow=light_windows(facade, image, texel_m, rng))
 
 
 def _drawn(lot: Lot, facades: Facades, floors: tuple[int, ...], rng: np.random.Generator) -> Facade:
