@@ -18,6 +18,7 @@ from scenarios.files import read_mapping
 from scenarios.overrides import merge, parse_overrides
 from scenarios.scenario import Scenario, ScenarioEntry
 from sim.faults.chain import check_cameras
+from sim.sensing.refit import check_lenses, with_lenses
 from sim.world import WorldConfig
 
 
@@ -49,6 +50,9 @@ def load_scenario(reference: str, settings: Iterable[str] = ()) -> Scenario:
     rig_folder = next((layer.folder for layer in layers if "rig" in layer.keys), Path.cwd())
     rig = read_rig(find_file("rig", entry.rig, rig_folder))
     world = entry.world()
+    if world.sensor.lens != "nominal":
+        rig = with_lenses(rig, world.sensor.lens)
+    check_lenses(rig)
     _check_cameras(world, rig, layers)
     return Scenario(path.stem, entry.about, rig, world)
 

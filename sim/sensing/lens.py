@@ -118,6 +118,16 @@ def make_lens(camera: Camera) -> Lens:
     return Lens(camera.size_px, SAMPLES_A_SIDE, cube_faces(rays, SAMPLES_A_SIDE))
 
 
+def check_lens(camera: Camera) -> None:
+    """See that a lens can be simulated, without building it.
+
+    Raises:
+        InputError: It folds over inside the image.
+    """
+    if camera.model != "pinhole":
+        _node_rays(camera)
+
+
 def _node_rays(camera: Camera) -> tuple[Array, Array, Array]:
     """Return columns, rows and (rows, columns, 3) rays of every eighth pixel, and of the image's border."""
     columns, rows = (np.linspace(-0.5, n - 0.5, -(-n // _NODE_SPACING_PX) + 6) for n in camera.size_px)
