@@ -34,6 +34,13 @@ def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> Rg
     return canvas.image()
 
 
+def paint_render(rng: np.random.Generator) -> RgbImage:
+    """Smooth plaster of a garden wall: next to nothing on it."""
+    canvas = Canvas(6.0, 2.0, (0.03, 0.03), (208, 205, 198))
+    canvas.shade(0.018 * fractal(rng, canvas.shape, canvas.cells(2.0), 3, 0.5))
+    return canvas.image()
+
+
 def _flipped(facade: Facade, panel: Panel) -> Panel:
     """The panel with z counted downwards from the eaves, as the canvas does."""
     return Panel(

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim.paint.canvas import Canvas, RgbImage
 from sim.paint.furniture_parts import REGIONS_M, SIZE_M
@@ -16,6 +17,7 @@ from sim.paint.paving import lay_setts
 from sim.paint.signs import paint_plates, paint_signals, paint_signs
 
 _TEXEL_M = 0.0065
+_LAMP_LEVEL, _SIGNAL_LEVEL = 250, 110
 
 
 def paint_furniture(names: Sequence[str], rng: np.random.Generator) -> RgbImage:
@@ -48,6 +50,15 @@ def paint_furniture(names: Sequence[str], rng: np.random.Generator) -> RgbImage:
     paint_signals(canvas)
     paint_plates(canvas, names)
     return canvas.image()
+
+
+def furniture_glow() -> NDArray[np.uint8]:
+    """Return (H, W) the light that lamps and signals shed at night, in levels of a sunny day."""
+    canvas = Canvas(*SIZE_M, (_TEXEL_M, _TEXEL_M), (0, 0, 0))
+    x, y, w, h = REGIONS_M["lamp"]
+    canvas.rect(x, y, x + w, y + h, (_LAMP_LEVEL,) * 3)
+    paint_signals(canvas, glow=_SIGNAL_LEVEL)
+    return canvas.image()[..., 0]
 
 
 def _plain(canvas: Canvas, name: str, color: tuple[float, float, float], rng: np.random.Generator) -> None:

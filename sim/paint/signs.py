@@ -12,6 +12,11 @@ from sim.paint.furniture_parts import REGIONS_M, SIGN_M
 
 RED, BLUE, WHITE, BLACK, YELLOW = (196, 26, 26), (24, 70, 160), (240, 240, 236), (20, 20, 20), (236, 186, 30)
 _HALF = SIGN_M / 2
+_LAMPS = {
+    "signal_red": ((255, 60, 44), (70, 56, 20), (22, 58, 40)),
+    "signal_green": ((70, 24, 22), (70, 56, 20), (90, 255, 180)),
+    "signal_walk": ((255, 60, 44), (22, 58, 40)),
+}
 
 
 def paint_signs(canvas: Canvas) -> None:
@@ -56,21 +61,26 @@ def _round_signs(canvas: Canvas) -> None:
     canvas.rect(x - 0.21, y - 0.06, x + 0.21, y + 0.06, WHITE)
 
 
-def paint_signals(canvas: Canvas) -> None:
-    """Three lamps for cars, two for people on foot, one of them lit."""
-    lamps = {
-        "signal_red": ((255, 60, 44), (70, 56, 20), (22, 58, 40)),
-        "signal_green": ((70, 24, 22), (70, 56, 20), (90, 255, 180)),
-        "signal_walk": ((255, 60, 44), (22, 58, 40)),
-    }
-    for name, colors in lamps.items():
+def paint_signals(canvas: Canvas, glow: int = 0) -> None:
+    """Three lamps for cars, two for people on foot, one of them lit.
+
+    Args:
+        canvas: Of a coat of furniture.
+        glow: If not 0, only the lamps that are lit are painted, at this level.
+    """
+    lit = {"signal_red": 0, "signal_green": 2, "signal_walk": 0}
+    for name, colors in _LAMPS.items():
         x, y, w, h = REGIONS_M[name]
-        canvas.rect(x, y, x + w, y + h, (26, 30, 28))
-        canvas.frame(x, y, x + w, y + h, 0.02, (70, 72, 70))
+        if not glow:
+            canvas.rect(x, y, x + w, y + h, (26, 30, 28))
+            canvas.frame(x, y, x + w, y + h, 0.02, (70, 72, 70))
         for k, color in enumerate(colors):
             at = (x + w / 2, y + (k + 0.5) * h / len(colors))
-            canvas.ellipse(at, (0.115, 0.115), (8, 8, 8))
-            canvas.ellipse(at, (0.098, 0.098), color)
+            if not glow:
+                canvas.ellipse(at, (0.115, 0.115), (8, 8, 8))
+                canvas.ellipse(at, (0.098, 0.098), color)
+            elif k == lit[name]:
+                canvas.ellipse(at, (0.098, 0.098), (glow, glow, glow))
 
 
 def paint_plates(canvas: Canvas, names: Sequence[str]) -> None:

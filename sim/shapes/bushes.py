@@ -19,8 +19,11 @@ def bush_mesh(radius_m: float, species: str, rng: np.random.Generator) -> Mesh:
     z = radius_m * (0.38 + 0.62 * (1 - out**2) * rng.uniform(0.6, 1.2, count))
     clusters = np.column_stack([spread * np.cos(turn), spread * np.sin(turn), z])
     middle = np.array([0.0, 0.0, 0.3 * radius_m])
+    scale = max(1.0, radius_m)
     sizes = 0.46 * radius_m * rng.uniform(0.7, 1.2, count)
-    return foliage(clusters, sizes, middle, species, round(110 + 190 * radius_m), (0.06, 0.12), rng)
+    return foliage(
+        clusters, sizes, middle, species, round(110 + 190 * radius_m), (0.06 * scale, 0.12 * scale), rng
+    )
 
 
 def hedge_mesh(

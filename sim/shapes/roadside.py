@@ -65,8 +65,8 @@ def noise_wall(line_m: Array, height_m: float) -> Mesh:
     return merged(parts)
 
 
-def gantry_frame(low_m: float, high_m: float) -> Mesh:
-    """Two posts and a lattice beam across a road; x ahead, y from one post to the other."""
+def gantry_frame(low_m: float, high_m: float, middles_m: Array) -> Mesh:
+    """Two posts and a lattice beam across a road that carry boards; x ahead, y from one post to the other."""
     steel, top = (0.0, 0.05, 0.2, 0.3), GANTRY_CLEAR_M + BOARD_M[1]
     half = GANTRY_POST_M / 2
     parts = [box((-half, y - half, -0.4), (half, y + half, top), steel) for y in (low_m, high_m)]
@@ -74,6 +74,9 @@ def gantry_frame(low_m: float, high_m: float) -> Mesh:
         parts.append(box((0.12, low_m, z), (0.3, high_m, z + 0.16), steel))
     for y in np.arange(low_m, high_m, 1.6):
         parts.append(box((0.16, y, GANTRY_CLEAR_M + 0.6), (0.26, y + 0.1, top - 0.5), steel))
+    for y in middles_m:  # the backs of the boards
+        low, high = y - BOARD_M[0] / 2 + 0.06, y + BOARD_M[0] / 2 - 0.06
+        parts.append(box((0.02, low, GANTRY_CLEAR_M), (0.08, high, top), steel))
     return merged(parts)
 
 
@@ -90,8 +93,6 @@ def gantry_boards(middles_m: Array) -> Mesh:
         )
         corners.append([(0.0, high, z0), (0.0, low, z0), (0.0, low, z1), (0.0, high, z1)])
         uvs.append([(k / count, 1.0), ((k + 1) / count, 1.0), ((k + 1) / count, 0.0), (k / count, 0.0)])
-        corners.append([(0.05, low, z0), (0.05, high, z0), (0.05, high, z1), (0.05, low, z1)])
-        uvs.append([(0.001, 0.005)] * 4)
     return quads(np.array(corners), np.array(uvs))
 
 

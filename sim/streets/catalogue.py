@@ -25,6 +25,7 @@ from sim.shapes.mesh import Mesh
 from sim.shapes.trees import SPECIES, SPRUCE, Species, tree_mesh
 from sim.streets.placing import Thing
 
+PLAIN = "plain"  # skin of rendered walls
 SKINS = 3  # furniture comes in as many coats, each with its own posters, stickers and names
 PLATES = 4  # names of streets on each
 _BUSHES = (
@@ -41,10 +42,13 @@ class Catalogue:
     """Shared models, so that a hundred trees are a handful of meshes."""
 
     def __init__(self, rng: np.random.Generator) -> None:
-        self._fine = [_tree(kind, True, rng) for kind in SPECIES for _ in range(2)]
-        self._coarse = [_tree(kind, False, rng) for kind in SPECIES]
+        self._fine = [_tree(kind, True, rng) for kind in (*SPECIES, *SPECIES[:4])]
+        self._coarse = [_tree(kind, False, rng) for kind in (*SPECIES, *SPECIES[:2])]
         self.conifers = [_tree(SPRUCE, False, rng) for _ in range(2)]
         self.bushes = [Thing(bush_mesh(r, kind, rng), "plants", (1.5 * r, 1.5 * r)) for r, kind in _BUSHES]
+        self.thickets = [
+            Thing(bush_mesh(r, kind, rng), "plants", (r, r)) for r, kind in ((1.7, "lime"), (2.4, "hornbeam"))
+        ]
         self.tufts = [Thing(tuft_mesh(kind, rng), "plants", (0.2, 0.2)) for kind in ("lime", "birch")]
         self.lamp = _thing(lamp_post(5.6), (0.3, 0.3), 0)
         self.bollard = _thing(bollard(), (0.16, 0.16), 0)

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from estimator.se3 import Array
-from sim.paint.furniture import paint_furniture
+from sim.paint.facade import paint_render
+from sim.paint.furniture import furniture_glow, paint_furniture
 from sim.paint.plants import paint_plants
-from sim.streets.catalogue import Catalogue, furniture_skin
+from sim.streets.catalogue import PLAIN, SKINS, Catalogue, furniture_skin
 from sim.streets.footprint import Ground, rectangle_m
 from sim.streets.islands import furnish_islands
 from sim.streets.lamps import Lamp, line_with_lamps
@@ -55,7 +56,7 @@ def furnish(
         green = Greenery(catalogue, vegetation, stream)
         if lot.use == "garden":
             plant_garden(behind, lot, green)
-        elif lot.setback_m > 1.0:
+        elif lot.use == "house" and lot.setback_m > 1.0:
             plant_front_garden(behind, lot, green)
     car_skins, models = draw_cars(cars)
     parked = Site("parked", Ground([]), network.relief, driven_m)
@@ -107,7 +108,9 @@ def _turns(things: Sequence[Thing], rng: np.random.Generator) -> list[Thing]:
 
 
 def _skins(rng: np.random.Generator) -> dict[str, Skin]:
-    names, leaves, *coats = rng.spawn(5)
-    plates = draw_names(names)
-    skins = {furniture_skin(k): Skin(paint_furniture(plates[k], coat), 0.1) for k, coat in enumerate(coats)}
-    return skins | {"plants": Skin(paint_plants(leaves))}
+    names, leaves, render, *coats = rng.spawn(3 + SKINS)
+    plates, glow = draw_names(names), furniture_glow()
+    skins = {
+        furniture_skin(k): Skin(paint_furniture(plates[k], coat), 0.1, glow) for k, coat in enumerate(coats)
+    }
+    return skins | {"plants": Skin(paint_plants(leaves)), PLAIN: Skin(paint_render(render))}

@@ -38,7 +38,7 @@ def draw_lots(network: Network, facades: Facades, rng: np.random.Generator) -> l
         for low, high in spans:
             builder.row(kerb, low, high, manner, stream)
     for road in (road for road in network.roads if lined and road.style in ("street", "minor", "ring")):
-        builder.close(road)
+        builder.close(road, all(kerb.lining == "bare" for kerb in lined))
     return builder.lots
 
 
@@ -122,8 +122,9 @@ class _Builder:
             if lot.width_m > 3.0 and _is_sound(lot.outline_m) and self._claim(lot):
                 return
 
-    def close(self, road: Road) -> None:
+    def close(self, road: Road, bare: bool) -> None:
         """A wide house across each open end of a street, facing back along it."""
+        setback = max(SUBURB.setbacks_m) if bare else 0.0
         for is_open, s, ahead in zip(
             road.open_ends, (road.path.start_m, road.path.end_m), (-1, 1), strict=True
         ):
@@ -131,7 +132,7 @@ class _Builder:
                 d = np.array([road.left_m + 3.0, road.right_m - 3.0])[::ahead]
                 near, far = s + 1.5 * ahead, s + (1.5 + DEPTHS_M[0]) * ahead
                 front, back = road.path.point_m(near, d), road.path.point_m(far, d)
-                self._claim(Lot(front, back, 0.0, 0.0, "closing"), room=False)
+                self._claim(Lot(front, back, setback, 0.0, "closing"), room=False)
 
     def _claim(self, lot: Lot, room: bool = True) -> bool:
         outline = lot.outline_m

@@ -21,6 +21,8 @@ _PIECE_M, _STEP_M = 24.0, 2.0
 _RAIL_FROM_EDGE_M, _WALL_FROM_EDGE_M = 0.7, 5.2
 _WALLS_M, _GAPS_M = (48.0, 110.0), (36.0, 80.0)
 _WALL_HEIGHT_M = 3.8
+_POST_FROM_EDGE_M = 1.45  # behind the rail
+_COPSE_M = (9.0, 46.0)  # from the edge: where trees stand together behind a gap
 _GANTRY_FIRST_M, _GANTRY_EVERY_M = (32.0, 48.0), (120.0, 170.0)
 
 
@@ -36,7 +38,9 @@ def line_motorways(site: Site, network: Network, green: Greenery, rng: np.random
         if kerb.pavement_m > _WALL_FROM_EDGE_M:
             stretches = _stretches(kerb, walls)
             scenery += _walls(f"noise_wall_{k}", kerb, stretches, network, walls)
-            _bushes(KerbSite(site, kerb), stretches, Greenery(green.catalogue, green.share, plant_rng))
+            street = KerbSite(site, kerb)
+            _bushes(street, stretches, Greenery(green.catalogue, green.share, plant_rng))
+            _copses(street, stretches, Greenery(green.catalogue, green.share, plant_rng))
     roads = [road for road in network.roads if road.style == "motorway"]
     for road, stream in zip(roads, gantry_rng.spawn(len(roads)), strict=True):
         scenery += _gantries(road, network, stream)
@@ -102,6 +106,19 @@ def _bushes(street: KerbSite, walls: list[tuple[float, float]], green: Greenery)
             street.put(thing, s + rng.uniform(-1, 1), far, turn, 0.0, shown=green.grows())
 
 
+def _copses(street: KerbSite, walls: list[tuple[float, float]], green: Greenery) -> None:
+    """Trees and thickets on the land beyond, seen over the gaps between the walls."""
+    rng, catalogue = green.rng, green.catalogue
+    for s in street.steps(6.0, 15.0):
+        at = s + rng.uniform(-5.0, 5.0)
+        walled = any(low < at < high for low, high in walls)
+        for _ in range(int(rng.integers(1, 5))):
+            things = catalogue.thickets if rng.random() < 0.5 else catalogue.trees(fine=False)
+            thing, d = things[int(rng.integers(len(things)))], rng.uniform(*_COPSE_M)
+            spot = street.kerb.path.point_m(at + rng.normal(0, 3.0), d)
+            street.site.put_at(thing, spot, rng.uniform(0, 6), shown=green.grows() and not walled)
+
+
 def _gantries(road: Road, network: Network, rng: np.random.Generator) -> Scenery:
     scenery, at = NOTHING, float(rng.uniform(*_GANTRY_FIRST_M))
     names = [str(name) for name in rng.permutation(DESTINATIONS)]
@@ -115,7 +132,7 @@ def _gantries(road: Road, network: Network, rng: np.random.Generator) -> Scenery
         yaw = float(road.path.heading_rad(at))
         z = float(network.relief.height_m(np.array([x, y])))
         place = ((float(x), float(y), z), yaw)
-        frame = gantry_frame(road.right_m - 1.6, road.left_m + 0.5)
+        frame = gantry_frame(road.right_m - _POST_FROM_EDGE_M, road.left_m + _POST_FROM_EDGE_M, middles)
         scenery += Scenery(
             (Prop(f"{skin}_frame", frame, "rail", *place), Prop(skin, gantry_boards(middles), skin, *place)),
             {skin: Skin(paint_boards(routes))},

@@ -14,12 +14,13 @@ import numpy as np
 from estimator.se3 import Array
 from sim.shapes.bushes import hedge_mesh
 from sim.shapes.furniture import board_fence, garden_wall, picket_fence
-from sim.shapes.mesh import Mesh
-from sim.streets.catalogue import Catalogue, furniture_skin
+from sim.shapes.mesh import Mesh, box
+from sim.streets.catalogue import PLAIN, Catalogue, furniture_skin
 from sim.streets.lot import Lot
 from sim.streets.placing import KerbSite, Site, Thing
 
 FINE_TREES_M = 10.0  # from the driven line
+_BARE_SETBACK_M = 3.0
 _BORDER_PIECE_M = 4.0  # of a fence, so that it follows the ground
 
 
@@ -43,7 +44,10 @@ class Greenery:
 
 
 def line_with_trees(street: KerbSite, green: Greenery) -> None:
-    """Trees near the kerb at uneven spacings, and weeds where the pavement meets the houses."""
+    """Trees near the kerb at uneven spacings, and weeds where the pavement meets the houses.
+
+    Where a street is bare trees are rare, and nothing grows in the paving.
+    """
     rng, kerb = green.rng, street.kerb
     s = kerb.path.start_m + rng.uniform(2, 8)
     while s < kerb.path.end_m - 2:
@@ -51,7 +55,9 @@ def line_with_trees(street: KerbSite, green: Greenery) -> None:
         trees = green.catalogue.trees(fine)
         tree, turn = trees[int(rng.random() * len(trees))], rng.uniform(0, 2 * np.pi)
         street.put(tree, s, 0.65, turn, shown=green.grows())
-        s += rng.uniform(9.0, 17.0)
+        s += rng.uniform(9.0, 17.0) * (1.0 if kerb.lining == "houses" else 3.0)
+    if kerb.lining != "houses":
+        return
     for s in street.steps(1.0, 2.3):
         tuft, at = green.catalogue.tufts[rng.integers(2)], s + rng.uniform(-1.0, 1.0)
         if rng.random() < 0.5:
@@ -82,7 +88,8 @@ def plant_garden(site: Site, lot: Lot, green: Greenery) -> None:
 def plant_front_garden(site: Site, lot: Lot, green: Greenery) -> None:
     """Behind a border with a gap to walk through, bushes between it and the house."""
     rng, catalogue = green.rng, green.catalogue
-    fence, depth, skin = _kind_of_border(rng)
+    bare = lot.setback_m > _BARE_SETBACK_M
+    fence, depth, skin = _plain_border(rng) if bare else _kind_of_border(rng)
     plants = skin == "plants"
     length = (lot.width_m - 1.6) / 2
     out = lot.setback_m - 0.35
@@ -92,7 +99,7 @@ def plant_front_garden(site: Site, lot: Lot, green: Greenery) -> None:
         for piece, shift in _pieces(length):
             thing = Thing(fence(piece), skin, (depth, piece - 0.02))
             site.put_at(thing, at + shift * lot.along, _yaw(lot), lot.curb_m, shown=shown)
-    for share in np.linspace(0.12, 0.88, max(2, round(lot.width_m / 2.0))):
+    for share in np.linspace(0.12, 0.88, max(2, round(lot.width_m / (5.0 if bare else 2.0)))):
         thing = catalogue.bushes[rng.integers(len(catalogue.bushes))]
         at = lot.front_m[0] + share * lot.width_m * lot.along + rng.uniform(0.9, out - 0.7) * lot.outward
         site.put_at(thing, at, rng.uniform(0, 6), lot.curb_m, shown=green.grows())
@@ -134,6 +141,14 @@ def _kind_of_border(rng: np.random.Generator) -> tuple[Callable[[float], Mesh], 
     if kind == 1:
         return lambda n: _centred(garden_wall(n), n), 0.26, skin
     return lambda n: hedge_mesh(n, 1.1, 0.5, "hornbeam", rng), 0.6, "plants"
+
+
+def _plain_border(rng: np.random.Generator) -> tuple[Callable[[float], Mesh], float, str]:
+    """A rendered wall, smooth and long, or a hedge."""
+    if rng.random() < 0.6:
+        height = float(rng.uniform(0.9, 1.7))
+        return lambda n: box((-0.1, -n / 2, -0.5), (0.1, n / 2, height)), 0.2, PLAIN
+    return lambda n: hedge_mesh(n, 1.25, 0.5, "hornbeam", rng), 0.6, "plants"
 
 
 def _centred(mesh: Mesh, length_m: float) -> Mesh:
