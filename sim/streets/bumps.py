@@ -8,12 +8,11 @@ from dataclasses import replace
 import numpy as np
 
 from sim.streets.path import Path
-from sim.streets.relief import BUMP_LENGTH_M, Bump
+from sim.streets.relief import BUMP_GUTTER_M, BUMP_LENGTH_M, Bump
 from sim.streets.road import Road
 
 _FIRST_M = 8.0  # from the origin, where the ground is level
 _STRAIGHT_1PM = 1 / 150.0
-_GUTTER_M = 0.35
 _SHIFTS_M = np.arange(0.0, 12.0, 1.0)
 
 
@@ -67,4 +66,4 @@ def _place(roads: Sequence[Road], route: Path, s_m: float) -> tuple[Road, float]
 
 def _bump(road: Road, s_m: float) -> Bump:
     x, y = road.path.point_m(s_m, (road.left_m + road.right_m) / 2)
-    return Bump((float(x), float(y)), float(road.path.heading_rad(s_m)), road.width_m / 2 - _GUTTER_M)
+    return Bump((float(x), float(y)), float(road.path.heading_rad(s_m)), road.width_m / 2 - BUMP_GUTTER_M)

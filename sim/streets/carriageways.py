@@ -10,7 +10,7 @@ from sim.paint.markings import paint_road, paint_teeth, pave_edge
 from sim.paint.road import RoadCanvas, asphalt
 from sim.streets.drape import area, band
 from sim.streets.network import Junction, Network
-from sim.streets.relief import BUMP_LENGTH_M, Relief
+from sim.streets.relief import BUMP_FLANK_M, BUMP_GUTTER_M, BUMP_LENGTH_M, Relief
 from sim.streets.road import Road
 from sim.streets.scenery import NOTHING, Prop, Scenery, Skin
 
@@ -58,12 +58,10 @@ def _pieces(name: str, canvas: RoadCanvas, road: Road, relief: Relief) -> Scener
         stop = min(start + _PIECE_TEXELS, width)
         low, high = max(0, start - _OVERLAP_TEXELS), min(width, stop + _OVERLAP_TEXELS)
         s_m = _samples(canvas.start_m + texel * start, canvas.start_m + texel * stop, road, relief)
-        across = np.linspace(
-            0.0, 1.0, 2 if relief.is_flat else int((canvas.top_m - bottom_m) / _step(relief)) + 2
-        )
+        d_m = _columns(canvas.top_m, bottom_m, road, relief)
+        across = (canvas.top_m - d_m) / (canvas.top_m - bottom_m)
         u = ((s_m - canvas.start_m) / texel - low) / (high - low)
         uvs = np.stack(np.broadcast_arrays(u[:, None], 0.001 + 0.998 * across), axis=-1)
-        d_m = canvas.top_m + across * (bottom_m - canvas.top_m)
         skin = f"{name}_{k}"
         mesh = band(road.path.point_m, s_m, d_m, relief.road_height_m, uvs)
         scenery += Scenery((Prop(skin, mesh, skin),), {skin: Skin(image[:, low:high].copy())})
@@ -77,6 +75,16 @@ def _samples(start_m: float, end_m: float, road: Road, relief: Relief) -> Array:
         fine = bump + np.linspace(-0.5, 0.5, 33) * BUMP_LENGTH_M
         s_m = np.union1d(s_m, fine[(fine > start_m) & (fine < end_m)])
     return s_m
+
+
+def _columns(left_m: float, right_m: float, road: Road, relief: Relief) -> Array:
+    """Where a strip has vertices across, from left to right: also where the flanks of bumps begin and end."""
+    count = 1 if relief.is_flat else int((left_m - right_m) / _step(relief)) + 1
+    d_m = np.linspace(right_m, left_m, count + 1)
+    if road.bumps_m:
+        flank = np.array([BUMP_GUTTER_M, BUMP_GUTTER_M + BUMP_FLANK_M])
+        d_m = np.union1d(d_m, np.concatenate([road.right_m + flank, road.left_m - flank]))
+    return np.asarray(d_m[::-1])
 
 
 def _step(relief: Relief) -> float:

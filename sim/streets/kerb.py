@@ -55,7 +55,7 @@ class KerbLine:
 def carriageway_of(roads: Sequence[Road], corner_m: float) -> MultiPolygon:
     """The union of all roads, its inner corners rounded with a radius."""
     union = unary_union([road.outline() for road in roads])
-    rounded = union.buffer(corner_m, quad_segs=24).buffer(-corner_m, quad_segs=24) if corner_m else union
+    rounded = union.buffer(corner_m, quad_segs=64).buffer(-corner_m, quad_segs=64) if corner_m else union
     return rounded if isinstance(rounded, MultiPolygon) else MultiPolygon([rounded])
 
 

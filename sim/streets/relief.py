@@ -10,6 +10,8 @@ from estimator.se3 import Array
 
 BUMP_HEIGHT_M = 0.07
 BUMP_LENGTH_M = 3.7  # of a hump that is driven over at 30 km/h; Watts 1973
+BUMP_GUTTER_M = 0.35  # left free along kerbs
+BUMP_FLANK_M = 0.3
 _HILL_WAVELENGTHS_M = ((150.0, 190.0), (110.0, 140.0), (210.0, 260.0))  # shorter ones would lift wheels
 _HILL_WEIGHTS = (1.0, 0.35, 0.6)  # share of the slope
 _ROUGH_WAVES = 40
@@ -63,7 +65,7 @@ class Bump:
         c, s = np.cos(self.yaw_rad), np.sin(self.yaw_rad)
         along, across = away[..., 0] * c + away[..., 1] * s, away[..., 1] * c - away[..., 0] * s
         inside = np.clip(2 * np.abs(along) / BUMP_LENGTH_M, 0, 1)
-        flank = np.clip((self.half_width_m - np.abs(across)) / 0.3, 0, 1)
+        flank = np.clip((self.half_width_m - np.abs(across)) / BUMP_FLANK_M, 0, 1)
         return np.asarray(BUMP_HEIGHT_M * (0.5 + 0.5 * np.cos(np.pi * inside)) * flank)
 
 
