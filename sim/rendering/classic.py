@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 import numpy.typing as npt
 
+from estimator.camera import Camera
 from estimator.se3 import Array
 from sim.rendering.culling import in_view
 from sim.rendering.frustum import frustum_of
@@ -21,6 +22,7 @@ from sim.vehicle.car import HIDDEN_GROUP
 
 SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0
+SKY_SHARE = 0.6995  # of the far plane: where MuJoCo draws the sky, less the rounding of the depth
 MOST_GEOMS = 20_000
 
 
@@ -80,7 +82,10 @@ class ClassicRenderer:
         z_buffer = np.empty((height, width), np.float32) if depth else None
         mujoco.mjr_readPixels(rgb, z_buffer, rect, self._context)
         # OpenGL counts rows from the bottom.
-        return Picture(rgb[::-1], None if z_buffer is None else metres_of_z_buffer(z_buffer[::-1]))
+        depth_m = None if z_buffer is None else metres_of_z_buffer(z_buffer[::-1])
+        if depth_m is not None:
+            depth_m[beyond_sky(depth_m, view.pinhole)] = FAR_M
+        return Picture(rgb[::-1], depth_m)
 
     def _update_scene(self, data: mujoco.MjData, middle_m: Array) -> None:
         everything = mujoco.mjtCatBit.mjCAT_ALL.value
@@ -125,6 +130,17 @@ def aim(eye: mujoco.MjvGLCamera, view: View) -> None:
     eye.frustum_center, eye.frustum_width = frustum.center_m, frustum.half_width_m
     eye.frustum_bottom, eye.frustum_top = frustum.bottom_m, frustum.top_m
     eye.frustum_near, eye.frustum_far = NEAR_M, FAR_M
+
+
+def beyond_sky(depth_m: DepthImage, pinhole: Camera) -> npt.NDArray[np.bool_]:
+    """Tell which (H, W) pixels show MuJoCo's sky, a dome at 0.7 of the far plane that is in the depth too."""
+    (width, height), (fx, fy), (cx, cy) = pinhole.size_px, pinhole.focal_px, pinhole.center_px
+    x, y = (
+        ((np.arange(width) - cx) / fx).astype(np.float32),
+        ((np.arange(height) - cy) / fy).astype(np.float32),
+    )
+    stretch2 = 1 + x[None, :] ** 2 + y[:, None] ** 2
+    return np.asarray(depth_m * depth_m * stretch2 > np.float32((SKY_SHARE * FAR_M) ** 2))
 
 
 def metres_of_z_buffer(z_buffer: DepthImage) -> DepthImage:
