@@ -13,10 +13,12 @@ import numpy as np
 
 from sim.sensing.face import GreyImage
 
-_SPECKS_PER_SEVERITY, _SMEARS_PER_SEVERITY = 9, 1.4
-_SPECK_RADIUS = (0.006, 0.035)  # of the image's width
+_SPECKS_PER_SEVERITY, _SMEARS_PER_SEVERITY = 22, 1.6
+_SPECK_RADIUS, _MEDIAN_RADIUS, _RADIUS_SPREAD = (0.004, 0.06), 0.011, 0.75  # of the image's width; log-normal
 _SMEAR_LENGTH, _SMEAR_WIDTH = (0.15, 0.5), (0.015, 0.05)
-_FILM = 0.035  # cover of the whole lens, per severity
+_FILM = 0.045  # cover of the whole lens, per severity
+_RAGGED = 0.35  # how far edges stray, in radii
+_OUT_OF_FOCUS_PX = 1.5
 _MOST_COVER = 0.96
 _VEIL_SIZE = (8, 5)
 _SEVERITIES = 5
@@ -43,33 +45,41 @@ class Dirt:
 
 def splash(size_px: tuple[int, int], severity: float, rng: np.random.Generator) -> Dirt:
     """Soil a lens. A higher severity adds to the same specks and smears, and makes them denser."""
-    left = np.zeros(size_px[::-1], np.float32)  # logarithm of the light let through
-    scattered = np.zeros_like(left)
-    for _ in range(round(_SEVERITIES * _SPECKS_PER_SEVERITY)):
-        _add(left, scattered, _speck(size_px, rng), severity / _SEVERITIES, rng)
-    for _ in range(round(_SEVERITIES * _SMEARS_PER_SEVERITY)):
-        _add(left, scattered, _smear(size_px, rng), severity / _SEVERITIES, rng)
-    film = _FILM * severity * _blotches(size_px, rng)
-    cover = np.minimum(1 - np.exp(-left) * (1 - film), _MOST_COVER)
-    return Dirt(cover.astype(np.float32), (cover * _brightness(left, scattered)).astype(np.float32))
+    film = _FILM * severity * (0.65 + 0.35 * _noise(size_px, 9, rng))
+    ragged = _RAGGED * (_noise(size_px, 26, rng) + 0.5 * _noise(size_px, 70, rng))
+    depth = np.zeros(size_px[::-1], np.float32)  # optical, of specks and smears
+    scattered = np.zeros_like(depth)
+    shapes = [_speck] * round(_SEVERITIES * _SPECKS_PER_SEVERITY)
+    shapes += [_smear] * round(_SEVERITIES * _SMEARS_PER_SEVERITY)
+    for shape in shapes:
+        own = rng.spawn(1)[0]  # so that no shape depends on those before it
+        turn, density, brightness = own.uniform(0, 1), own.uniform(0.5, 3.0), own.uniform(0.25, 0.95)
+        thickness = max(severity / _SEVERITIES - turn, 0.0) ** 0.5
+        if thickness > 0:
+            added = np.float32(density * (0.4 + 0.6 * thickness)) * shape(size_px, ragged, own)
+            depth += added
+            scattered += np.float32(brightness) * added
+    depth, scattered = (cv2.GaussianBlur(each, (0, 0), _OUT_OF_FOCUS_PX) for each in (depth, scattered))
+    cover = np.minimum(1 - np.exp(-depth) * (1 - film), _MOST_COVER)
+    # The film is bright dust; where nothing else lies it alone scatters.
+    brightness_map = (scattered + 0.9 * film) / (depth + film)
+    return Dirt(cover.astype(np.float32), (cover * brightness_map).astype(np.float32))
 
 
-def _add(
-    left: GreyImage, scattered: GreyImage, shape: GreyImage, share: float, rng: np.random.Generator
-) -> None:
-    """Lay a shape on the lens if its turn has come; it thickens from then on."""
-    turn, density, brightness = rng.uniform(0, 1), rng.uniform(0.3, 2.2), rng.uniform(0.2, 0.95)
-    thickness = max(share - turn, 0.0) ** 0.5
-    if thickness > 0:
-        depth = np.float32(density * (0.4 + 0.6 * thickness)) * shape
-        left += depth
-        scattered += np.float32(brightness) * depth
+def _speck(size_px: tuple[int, int], ragged: GreyImage, rng: np.random.Generator) -> GreyImage:
+    along, across = _grid(size_px, rng)
+    radius = np.clip(_MEDIAN_RADIUS * np.exp(_RADIUS_SPREAD * rng.standard_normal()), *_SPECK_RADIUS)
+    stretch = rng.uniform(1.0, 1.6)
+    return _soft_edge(np.hypot(along / stretch, across) / np.float32(radius) + ragged)
 
 
-def _brightness(left: GreyImage, scattered: GreyImage) -> GreyImage:
-    """Return how much of the surrounding light each place scatters; the film is bright dust."""
-    dust, least = 0.9, 0.05
-    return np.asarray((scattered + dust * least) / (left + least))
+def _smear(size_px: tuple[int, int], ragged: GreyImage, rng: np.random.Generator) -> GreyImage:
+    along, across = _grid(size_px, rng)
+    length, width = rng.uniform(*_SMEAR_LENGTH), rng.uniform(*_SMEAR_WIDTH)
+    bend, streaks, phase_rad = rng.uniform(-0.6, 0.6), rng.uniform(2, 5) / width, rng.uniform(0, 2 * np.pi)
+    across = across - np.float32(bend) * along * along / np.float32(length)
+    streaky = 0.6 + 0.4 * np.cos(np.float32(streaks) * across + np.float32(phase_rad))
+    return np.asarray(0.6 * streaky * _soft_edge(np.hypot(along / length, across / width) + ragged))
 
 
 def _grid(size_px: tuple[int, int], rng: np.random.Generator) -> tuple[GreyImage, GreyImage]:
@@ -83,30 +93,13 @@ def _grid(size_px: tuple[int, int], rng: np.random.Generator) -> tuple[GreyImage
     return np.asarray(cos * right + sin * down), np.asarray(cos * down - sin * right)
 
 
-def _speck(size_px: tuple[int, int], rng: np.random.Generator) -> GreyImage:
-    along, across = _grid(size_px, rng)
-    radius = np.exp(rng.uniform(*np.log(_SPECK_RADIUS)))
-    lobes, phase_rad, depth = rng.integers(2, 6), rng.uniform(0, 2 * np.pi), rng.uniform(0.05, 0.3)
-    rim = 1 + depth * np.cos(lobes * np.arctan2(across, along) + phase_rad)
-    return _soft_edge(np.hypot(along, across) / (np.float32(radius) * rim))
-
-
-def _smear(size_px: tuple[int, int], rng: np.random.Generator) -> GreyImage:
-    along, across = _grid(size_px, rng)
-    length, width = rng.uniform(*_SMEAR_LENGTH), rng.uniform(*_SMEAR_WIDTH)
-    bend, streaks, phase_rad = rng.uniform(-0.6, 0.6), rng.uniform(2, 5) / width, rng.uniform(0, 2 * np.pi)
-    across = across - np.float32(bend) * along * along / np.float32(length)
-    streaky = 0.6 + 0.4 * np.cos(np.float32(streaks) * across + np.float32(phase_rad))
-    return np.asarray(0.6 * streaky * _soft_edge(np.hypot(along / length, across / width)))
-
-
 def _soft_edge(distance: GreyImage) -> GreyImage:
     """Fall from 1 well inside distance one to 0 well outside."""
-    share = np.clip((1.35 - distance) / 0.8, 0, 1)
+    share = np.clip((1.5 - distance) / 1.1, 0, 1)
     return np.asarray(share * share * (3 - 2 * share), np.float32)
 
 
-def _blotches(size_px: tuple[int, int], rng: np.random.Generator) -> GreyImage:
-    """Return (H, W) unevenness of a film, 0.3 to 1."""
-    coarse = rng.uniform(0.3, 1.0, (6, 9)).astype(np.float32)
-    return np.asarray(cv2.resize(coarse, size_px, interpolation=cv2.INTER_CUBIC)).clip(0.3, 1.0)
+def _noise(size_px: tuple[int, int], across: int, rng: np.random.Generator) -> GreyImage:
+    """Return (H, W) smooth noise between about -1 and 1, ``across`` lumps wide."""
+    coarse = rng.uniform(-1, 1, (round(across * size_px[1] / size_px[0]) + 1, across)).astype(np.float32)
+    return np.asarray(cv2.resize(coarse, size_px, interpolation=cv2.INTER_CUBIC))
