@@ -56,10 +56,12 @@ def splash(size_px: tuple[int, int], severity: float, rng: np.random.Generator) 
         turn, density, brightness = own.uniform(0, 1), own.uniform(0.5, 3.0), own.uniform(0.25, 0.95)
         thickness = max(severity / _SEVERITIES - turn, 0.0) ** 0.5
         if thickness > 0:
-            added = np.float32(density * (0.4 + 0.6 * thickness)) * shape(size_px, ragged, own)
+            added = shape(size_px, ragged, own) * np.float32(density * (0.4 + 0.6 * thickness))
             depth += added
             scattered += np.float32(brightness) * added
-    depth, scattered = (cv2.GaussianBlur(each, (0, 0), _OUT_OF_FOCUS_PX) for each in (depth, scattered))
+    depth, scattered = (
+        np.asarray(cv2.GaussianBlur(each, (0, 0), _OUT_OF_FOCUS_PX)) for each in (depth, scattered)
+    )
     cover = np.minimum(1 - np.exp(-depth) * (1 - film), _MOST_COVER)
     # The film is bright dust; where nothing else lies it alone scatters.
     brightness_map = (scattered + 0.9 * film) / (depth + film)
