@@ -10,6 +10,7 @@ import numpy as np
 from sim.traffic.conflicts import Cells, ConflictMap
 from sim.traffic.movers import Movers, is_swept
 from sim.traffic.track import CELL_M, Track
+from sim.traffic.turns import Turns
 
 _TAIL_M = 1.0  # claimed behind a box beyond an actor's own length
 _SPARE_S = 0.7  # between leaving a box and somebody else coming
@@ -47,6 +48,7 @@ class Claims:
         self._map, self._tracks = conflicts, tuple(tracks)
         self._claimed = np.zeros(int(conflicts.first[-1]), np.int32)
         self._held: list[tuple[int, int]] = []  # first and last cell of each actor, unwrapped
+        self._turns = Turns()
         self._above = [(movers, k) for movers in above for k in range(len(movers.tracks))]
 
     def stand(self, track: int, rear_m: float, front_m: float, now_s: float) -> bool:
@@ -93,9 +95,10 @@ class Claims:
             return start + int(offsets[taken].min()) - 1 if taken.any() else upto
         out = start + int(self._map.box_left[place])
         upto = out + int(np.ceil((asked.length_m + _TAIL_M) / CELL_M))
-        if upto >= _cell(asked.room_m) or not self._may_cross(asked, start, out, upto, clears_s):
+        if upto >= _cell(asked.room_m):
+            self._turns.forget(asked.actor)
             return start - 1
-        return upto
+        return upto if self._may_cross(asked, start, out, upto, clears_s) else start - 1
 
     def release_behind(self, actor: int, track: int, rear_m: float) -> None:
         """Give back what lies behind an actor's rear."""
@@ -109,8 +112,13 @@ class Claims:
         self, asked: Request, first: int, out: int, upto: int, clears_s: Callable[[float, float], float]
     ) -> bool:
         cells, _ = self._map.excluded_by(asked.track, first, upto)
-        if self._claimed[cells].any() or self._boxed(asked.track, out, upto):
-            return False  # taken, or another box begins before there is room to wait
+        own = self._index(asked.track, np.arange(first, upto + 1))
+        if self._claimed[cells].any() or self._turns.must_wait(asked.actor, own, asked.now_s):
+            self._turns.wait(asked.actor, cells, asked.now_s)
+            return False
+        self._turns.forget(asked.actor)
+        if self._boxed(asked.track, out, upto):
+            return False  # another box begins before there is room to wait
         gone_s = clears_s((upto + 1) * CELL_M, out * CELL_M) + _SPARE_S
         return not self._swept(cells, asked.now_s, gone_s)
 

@@ -14,7 +14,7 @@ from estimator.se3 import Array
 from sim.traffic.track import CELL_M, Track
 
 _CROSSING_RAD = np.deg2rad(20)
-_BRIDGE_M = 8.0  # two boxes nearer than this are one: no car would fit between them
+_BRIDGE_M = 11.0  # two boxes nearer than this are one: no car would fit between them
 _SLACK_M = 0.05
 
 Cells = NDArray[np.int64]

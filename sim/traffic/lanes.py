@@ -21,7 +21,7 @@ _SWERVE_M = 4.0  # over which cyclists move aside
 _MOST_SHIFT_M = 0.95
 _ABRUPT_M = 6.0  # a lane that ends nearer than this to the middle of a car's lane ends in a junction
 _WALK_MPS = 1.3
-_NOSE_SWINGS_M2 = 4.0  # of the driven car, whose path is that of its rear axle and whose nose is narrow
+_NOSE_SWINGS_M2 = 5.0  # of the driven car, whose path is that of its rear axle and whose nose is narrow
 _INTO_HOUSE_M = 0.9
 
 
