@@ -46,7 +46,7 @@ class Dirt:
 def splash(size_px: tuple[int, int], severity: float, rng: np.random.Generator) -> Dirt:
     """Soil a lens. A higher severity adds to the same specks and smears, and makes them denser."""
     film = _FILM * severity * (0.65 + 0.35 * _noise(size_px, 9, rng))
-    ragged = _RAGGED * (_noise(size_px, 26, rng) + 0.5 * _noise(size_px, 70, rng))
+    ragged = np.asarray(_RAGGED * (_noise(size_px, 26, rng) + 0.5 * _noise(size_px, 70, rng)), np.float32)
     depth = np.zeros(size_px[::-1], np.float32)  # optical, of specks and smears
     scattered = np.zeros_like(depth)
     shapes = [_speck] * round(_SEVERITIES * _SPECKS_PER_SEVERITY)
