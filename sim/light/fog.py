@@ -60,8 +60,8 @@ def lamp_haze(sources: Sequence[LightSource], surfaces: Surfaces, per_m: float) 
 def headlight_haze(world_from_ego: SE3, surfaces: Surfaces, per_m: float) -> Floats:
     """Return (h, w) levels that the car's own beams add.
 
-    Sampled along the ray at equal angles seen from the lamp, which cancels the inverse square (Kulla & Fajardo
-    2012, "Importance sampling techniques for path tracing in participating media").
+    Sampled along the ray at equal angles seen from the lamp, which cancels the inverse square (Kulla and
+    Fajardo 2012, "Importance sampling techniques for path tracing in participating media").
     """
     rays, reach = _rays(surfaces)
     turn = world_from_ego.rotation.T.astype(np.float32)

@@ -16,7 +16,7 @@ _DIP = 0.012  # tangent by which the cut-off lies under the horizon
 _CUT_OFF = 0.012  # tangent over which it fades
 _ABOVE = 0.015  # of the peak, above the cut-off
 _DOWN = 0.05  # tangent over which the beam fades towards the car, so that the road is lit evenly
-_HAZY, _HAZY_PEAK = 4.0, 0.4  # how much softer the beam is in fog, and what is left of its peak
+_HAZY, _HAZY_PEAK = 4.0, 0.25  # how much softer the beam is in fog, and what is left of its peak
 _WIDE, _WIDER = 0.30, 0.85  # tangents of the beam's width and of its skirts
 
 

@@ -19,7 +19,9 @@ _MARGIN = 4  # of the radius
 def add_lamps(light: Floats, sources: Sequence[LightSource], view: View, depth_m: DepthImage) -> None:
     """Add the faces of lamps to a picture, in place."""
     pinhole = view.pinhole
-    points_cam = view.world_from_cam.inverse().apply(np.array([source.position_m for source in sources]))
+    points_cam = view.world_from_cam.inverse().apply(
+        np.array([one.position_m for one in sources]).reshape(-1, 3)
+    )
     for source, point_cam in zip(sources, points_cam, strict=True):
         depth = float(point_cam[2])
         if depth < 0.3:

@@ -21,7 +21,7 @@ _SIZE = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2)
 _RADIUS = (0.012, 0.055)  # of the image's width
 _LIFE_S = (5.0, 16.0)
 _LANDING_S = 0.08
-_FIELD = 0.42  # of the image's width that a drop shows, upside down, from its middle to its rim
+_FIELD = 0.30  # of the image's width that a drop shows, upside down, from its middle to its rim
 _SHRUNK = 4  # the picture inside a drop is out of focus: a small one will do
 
 
@@ -54,7 +54,7 @@ class WetLens:
         """Return the (H, W) light behind the drops."""
         height, width = light.shape
         small = cv2.resize(light, (-(-width // _SHRUNK), -(-height // _SHRUNK)), interpolation=cv2.INTER_AREA)
-        small = cv2.GaussianBlur(small, (0, 0), 1.5)
+        small = cv2.GaussianBlur(small, (0, 0), 2.5)
         result = light.copy()
         for place, (life_s, start_s) in enumerate(self._places):
             turn, age_s = divmod(time_s + start_s, life_s)
@@ -80,7 +80,7 @@ def _drop(seed: int, purpose: str, aspect: float) -> Drop:
             float(rng.uniform(0, 0.09)),
             float(rng.uniform(0, 2 * np.pi)),
         ),
-        float(rng.uniform(0.1, 0.5)),
+        float(rng.uniform(0.0, 0.3)),
     )
 
 
@@ -91,7 +91,7 @@ def _refract(result: Floats, small: Floats, drop: Drop, age_s: float, aged: floa
     amplitude, rate, phase = drop.wobble
     u = (drop.at[0] + amplitude * np.sin(rate * age_s + phase)) * width
     v = (drop.at[1] + drop.slide_per_s * age_s) * width
-    reach = 1.35 * radius
+    reach = 1.5 * radius
     rows = slice(max(0, int(v - reach)), min(height, int(v + reach) + 2))
     columns = slice(max(0, int(u - reach)), min(width, int(u + reach) + 2))
     if radius < 0.5 or rows.start >= rows.stop or columns.start >= columns.stop:
@@ -112,9 +112,9 @@ def _refract(result: Floats, small: Floats, drop: Drop, age_s: float, aged: floa
         cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REFLECT,
     )
-    seen *= 1 - 0.45 * np.clip((out - 0.55) / 0.45, 0, 1) ** 2  # the rim bends light out of the lens
+    seen *= 1 - 0.3 * np.clip((out - 0.4) / 0.6, 0, 1) ** 2  # the rim bends light out of the lens
     seen += drop.glint * seen * np.exp(-((x + 0.3) ** 2 + (y + 0.4) ** 2) / 0.05)
-    t = np.clip((1.15 - out) / 0.5, 0, 1)  # out of focus, so without an outline
+    t = np.clip((1.2 - out) / 0.65, 0, 1)  # out of focus, so without an outline
     cover = (t * t * (3 - 2 * t)).astype(np.float32)
     patch = result[rows, columns]
     patch += cover * (seen - patch)
