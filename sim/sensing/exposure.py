@@ -15,7 +15,9 @@ SHORTEST_EXPOSURE_S = 0.00005
 LONGEST_EXPOSURE_S = 0.015
 LARGEST_GAIN = 16.0  # 24 dB
 # Between these means of an image nothing is changed: steering at every cloud would make images flicker.
-DARKEST_MEAN, BRIGHTEST_MEAN = 62.0, 165.0
+# Beyond them the exposure is steered until the mean is near the one wanted.
+DARKEST_MEAN, WANTED_MEAN, BRIGHTEST_MEAN = 62.0, 105.0, 155.0
+_NEAR_ENOUGH = 0.12  # of a factor
 _TIME_CONSTANT_S = 0.3
 _SETTLING_STEPS = 60
 _METERED_WEIGHT = 3.0  # of the middle of the image, against the rim
@@ -84,7 +86,8 @@ class AutoExposure:
 
     def __init__(self) -> None:
         self.now = Exposure()
-        self._mean = DARKEST_MEAN
+        self._mean = WANTED_MEAN
+        self._is_steering = False
 
     def settle(self, light: GreyImage) -> None:
         sparse = light[:: _STRIDE_PX // 2, :: _STRIDE_PX // 2]
@@ -100,9 +103,12 @@ class AutoExposure:
 
     def _adjust(self, share: float) -> None:
         mean = max(self._mean, 1.0)
-        wanted = float(np.clip(mean, DARKEST_MEAN, BRIGHTEST_MEAN))
-        if wanted != mean:
-            self.now = Exposure.of_scale(self.now.scale * (wanted / mean) ** share)
+        if not DARKEST_MEAN <= mean <= BRIGHTEST_MEAN:
+            self._is_steering = True
+        elif abs(np.log(mean / WANTED_MEAN)) < _NEAR_ENOUGH:
+            self._is_steering = False
+        if self._is_steering:
+            self.now = Exposure.of_scale(self.now.scale * (WANTED_MEAN / mean) ** share)
 
 
 def metered(image: GreyImage | Image) -> float:
