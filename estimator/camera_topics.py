@@ -30,18 +30,23 @@ class CameraTopics:
 def find_camera_topics(bag: Bag, rig: Rig) -> CameraTopics:
     """Match the bag's cameras with the rig's; of a raw and a compressed topic of one camera the raw one wins.
 
+    A camera whose topic was announced but never used was off all drive long: it is there, and silent.
+
     Raises:
         InputError: No image topics, a topic of a wrong type, or the bag's cameras are not the rig's.
     """
     by_camera: dict[str, str] = {}
+    silent: dict[str, str] = {}
     for topic in sorted(bag.message_types, reverse=True):  # "…/compressed" first, so that raw replaces it
         match = _IMAGE_TOPIC.fullmatch(topic)
-        if match is not None and bag.message_counts.get(topic, 0) > 0:
+        if match is not None:
             _check_type(bag, topic, _IMAGE_TYPES[match["transport"]])
-            by_camera[match["camera"]] = topic
+            found = by_camera if bag.message_counts.get(topic, 0) > 0 else silent
+            found[match["camera"]] = topic
     if not by_camera:
         topics = ", ".join(sorted(bag.message_types)) or "none"
         raise InputError(f"{_state(bag)}no images, wanted some on /<camera>/image_raw; topics: {topics}")
+    by_camera = silent | by_camera
     _check_cameras(bag, set(by_camera), rig)
     infos = {f"/{camera}/camera_info": camera for camera in rig.cameras}
     infos = {topic: camera for topic, camera in infos.items() if _is_info(bag, topic)}

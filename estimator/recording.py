@@ -82,7 +82,10 @@ class Recording:
         self._topics = find_camera_topics(self._bag, self.rig)
         self._period_ns, warnings = look_ahead(self._bag, self._topics, self.rig)
         self.warnings.extend(warnings)
-        self.bundle_count = max(self._bag.message_counts[topic] for topic in self._topics.images)
+        self.bundle_count = max(self._bag.message_counts.get(topic, 0) for topic in self._topics.images)
+        for topic, camera in self._topics.images.items():
+            if not self._bag.message_counts.get(topic, 0):
+                self._warn(f"camera {camera!r}: no image in the whole recording")
         self._break_told = self._bag.break_reason is not None
         if self._break_told:  # count what is before the break by the stamps alone
             bundler: Bundler[BagMessage] = Bundler(self._period_ns, self.rig.reference)
