@@ -38,7 +38,7 @@ class Sampling:
 
 SAMPLINGS: dict[Quality, Sampling] = {
     "draft": Sampling(0, 0, 1, False),
-    "standard": Sampling(4, 4096, 2, True),
+    "standard": Sampling(4, 3072, 2, True),
     "fine": Sampling(8, 8192, 3, True),
 }
 

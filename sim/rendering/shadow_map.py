@@ -2,6 +2,9 @@
 
 MuJoCo redraws the map for every picture. ``SharedShadowMap`` has it drawn once, then turns MuJoCo's further
 drawing towards a scrap texture while the pictures go on reading the real one. The pixels are the same.
+
+MuJoCo compares with the nearest texel and draws a fragment in full light or not at all, which makes stairs of
+every edge. ``soften`` compares with the four around it and has the lit share multiply the light instead.
 """
 
 from __future__ import annotations
@@ -15,6 +18,20 @@ import mujoco
 _SCRAP_PX = 8
 
 
+def soften(context: mujoco.MjrContext) -> None:
+    """Let light fade over one texel of the map; the context's OpenGL must be current.
+
+    MuJoCo has the comparison answer with opacity, which its alpha test cuts. As luminance that goes into
+    the colour, and the opacity is always 1.
+    """
+    gl = import_module("OpenGL.GL")
+    gl.glBindTexture(gl.GL_TEXTURE_2D, context.shadowTex)
+    gl.glTexParameteri(gl.GL_TEXTURE_2D, gl.GL_DEPTH_TEXTURE_MODE, gl.GL_LUMINANCE)
+    for direction in (gl.GL_TEXTURE_MIN_FILTER, gl.GL_TEXTURE_MAG_FILTER):
+        gl.glTexParameteri(gl.GL_TEXTURE_2D, direction, gl.GL_LINEAR)
+    gl.glBindTexture(gl.GL_TEXTURE_2D, 0)
+
+
 class SharedShadowMap:
     """The shadow framebuffer of one rendering context; that context's OpenGL must be current."""
 
@@ -22,6 +39,7 @@ class SharedShadowMap:
         self._gl = import_module("OpenGL.GL")  # only now: it binds the platform that sim.rendering.gl chose
         self._context = context
         self._scrap = self._depth_texture()
+        soften(context)
 
     @contextmanager
     def frozen(self) -> Iterator[None]:
