@@ -46,7 +46,8 @@ class Driver:
         pose = world_from_ego(data)
         speed_mps = self._direction * float(velocity_in_ego(self._model, data)[3])
         wanted_mps = self._plan.speed_mps(time_s)
-        self._steer(data, self._follower.steer_rad(pose, abs(speed_mps), self._direction < 0))
+        position_m, heading = pose.translation[:2], pose.rotation[:2, 0]
+        self._steer(data, self._follower.steer_rad(position_m, data.qvel[:2], heading))
         uphill_mps2 = self._direction * GRAVITY_MPS2 * pose.rotation[2, 0]
         push_mps2 = _SPEED_GAIN_PS * (wanted_mps - speed_mps) + uphill_mps2
         if not rolling_up:

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from estimator.se3 import SE3, Array
+from estimator.se3 import Array
 from sim.vehicle.route import Route
 
 _CORRECT_WITHIN_S = 0.4  # deviations decay over the distance driven in this time, or over the shortest one
 _SHORTEST_M = 2.0
 _PREVIEW_S = 0.1  # what steering and tyres lag behind
 _FURTHEST_ASTRAY_M = 3.0
+_SURE_MPS = 2.0  # below it the car's axis is a better direction of travel than its velocity
 
 
 class Follower:
@@ -29,12 +30,20 @@ class Follower:
         self._route, self._wheelbase_m = route, wheelbase_m
         self.progress_m = start_m
 
-    def steer_rad(self, world_from_ego: SE3, speed_mps: float, backwards: bool = False) -> float:
-        """Return the bicycle-model steering angle that leads the rear axle along the route."""
-        position_m = world_from_ego.translation[:2]
+    def steer_rad(self, position_m: Array, velocity_mps: Array, heading: Array) -> float:
+        """Return the bicycle-model steering angle that leads the rear axle along the route.
+
+        Args:
+            position_m: (2,) of the rear axle, in the world.
+            velocity_mps: (2,) of the rear axle, in the world.
+            heading: (2,) where the car looks, in the world; a unit vector.
+        """
+        speed_mps = float(np.hypot(*velocity_mps))
         self.progress_m = self._route.nearest_m(position_m, self.progress_m)
         direction = self._route.direction(self.progress_m)
-        travel = -world_from_ego.rotation[:2, 0] if backwards else world_from_ego.rotation[:2, 0]
+        looks = 1.0 if direction @ heading > 0 else -1.0  # along the route, or against it: in reverse
+        # In bends the tyres slip, and the axle moves elsewhere than it points.
+        travel = velocity_mps / speed_mps if speed_mps > _SURE_MPS else looks * heading
         aside_m = _cross(direction, position_m - self._route.point_m(self.progress_m))
         askew = _cross(direction, travel)  # sine of the angle
         over_m = max(_SHORTEST_M, _CORRECT_WITHIN_S * speed_mps)
@@ -42,7 +51,7 @@ class Follower:
         ahead_pm = float(self._route.curvature_pm(self.progress_m + _PREVIEW_S * speed_mps))
         curvature_pm = ahead_pm - 2 * askew / over_m - aside_m / over_m**2
         steer_rad = float(np.arctan(self._wheelbase_m * curvature_pm))
-        return -steer_rad if backwards else steer_rad
+        return looks * steer_rad
 
 
 def _cross(one: Array, other: Array) -> float:

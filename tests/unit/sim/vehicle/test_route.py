@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from estimator.se3 import SE3
 from sim.vehicle.follower import Follower
 from sim.vehicle.route import Route, backwards_from, route_along
 from tests.drives import CAR, STRAIGHT, bend, ellipse
@@ -62,9 +61,8 @@ def test_backwards_is_the_same_line_from_the_other_end(route: Route) -> None:
 @pytest.mark.parametrize("backwards", [False, True])
 def test_the_follower_steers_back_to_the_route(backwards: bool) -> None:
     follower = Follower(STRAIGHT, CAR.wheelbase_m, 0.0)
-    facing = np.diag([-1.0, -1.0, 1.0]) if backwards else np.eye(3)
+    heading = np.array([-1.0 if backwards else 1.0, 0.0])
     for left_m in (-1.0, 1.0):
-        beside = SE3(facing, np.array([2.0, left_m, 0.0]))
-        steer_rad = follower.steer_rad(beside, 5.0, backwards)
+        steer_rad = follower.steer_rad(np.array([2.0, left_m]), np.array([5.0, 0.0]), heading)
         # Seen from above the rear must swing to the route: steering acts the other way round in reverse.
         assert np.sign(steer_rad) == (1 if backwards else -1) * np.sign(left_m)
