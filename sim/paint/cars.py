@@ -23,8 +23,19 @@ COLORS = (
     (226, 226, 222),
     (92, 104, 96),
     (176, 160, 130),
+    (120, 124, 130),
+    (62, 84, 70),
+    (204, 206, 208),
+    (96, 40, 44),
+    (70, 98, 140),
 )
 _GLASS = (34, 40, 46)
+_DOORS = (
+    (0.02, 0.36, 0.7),
+    (0.05, 0.5),
+    (0.0, 0.3, 0.62, 0.9),
+    (0.1, 0.42, 0.74),
+)  # pillars along the windows
 
 
 def rect(at_m: tuple[float, float], size_m: tuple[float, float]) -> Rect:
@@ -48,10 +59,10 @@ def paint_car(
         axles_m: x of rear and front axle.
         rng: Source of randomness.
     """
-    color = np.array(COLORS[rng.integers(len(COLORS))], float)
+    color = np.array(COLORS[rng.integers(len(COLORS))]) * rng.uniform(0.85, 1.08) + rng.uniform(-8, 8, 3)
     canvas = Canvas(*SIZE_M, (_TEXEL_M, _TEXEL_M), color)
     length = float(profile_m[-1, 0])
-    _side(canvas, profile_m, belt_m, axles_m, color)
+    _side(canvas, profile_m, belt_m, axles_m, color, rng)
     _top(canvas, profile_m, belt_m, color)
     for at, lamp in ((FRONT_AT_M, (240, 240, 230)), (REAR_AT_M, (176, 22, 20))):
         _end(canvas, at, belt_m, lamp, rng)
@@ -66,7 +77,14 @@ def paint_car(
     return canvas.image()
 
 
-def _side(canvas: Canvas, profile: Array, belt: float, axles: tuple[float, float], color: Array) -> None:
+def _side(
+    canvas: Canvas,
+    profile: Array,
+    belt: float,
+    axles: tuple[float, float],
+    color: Array,
+    rng: np.random.Generator,
+) -> None:
     x0, y0 = SIDE_AT_M
     ground = y0 + TALL_M
     above = profile[profile[:, 1] > belt + 0.05]
@@ -76,13 +94,25 @@ def _side(canvas: Canvas, profile: Array, belt: float, axles: tuple[float, float
     sky = np.vstack([roof, roof[::-1] + np.array([0.0, 0.16])])
     canvas.fill(sky, (150, 164, 176), 0.45)
     low, high = roof[0, 0], roof[-1, 0]
-    for share in (0.02, 0.36, 0.7):
-        x = low + share * (high - low)
-        canvas.rect(x, ground - belt - 0.6, x + 0.08, ground - belt, color * 0.35)
+    sill, pillar = rng.uniform(0.3, 0.42), rng.uniform(0.05, 0.12)
+    handle_z, handle = rng.uniform(0.1, 0.2), rng.uniform(0.14, 0.24)
+    for share in _DOORS[rng.integers(len(_DOORS))]:
+        x = low + (share + rng.uniform(-0.03, 0.03)) * (high - low)
+        canvas.rect(x, ground - belt - 0.6, x + pillar, ground - belt, color * 0.35)
         canvas.rect(x + 0.02, ground - belt, x + 0.035, ground - 0.3, (20, 20, 22))
-        canvas.rect(x + 0.12, ground - belt + 0.14, x + 0.32, ground - belt + 0.18, color * 0.4)
-    canvas.rect(x0, ground - 0.34, x0 + profile[-1, 0], ground, (26, 26, 28))
-    canvas.rect(x0, ground - 0.62, x0 + profile[-1, 0], ground - 0.585, color * 0.5)
+        canvas.rect(
+            x + 0.12,
+            ground - belt + handle_z,
+            x + 0.12 + handle,
+            ground - belt + handle_z + 0.04,
+            color * 0.4,
+        )
+    canvas.rect(x0, ground - sill, x0 + profile[-1, 0], ground, (26, 26, 28))
+    if rng.random() < 0.6:
+        strip = rng.uniform(0.5, 0.68)
+        canvas.rect(
+            x0, ground - strip, x0 + profile[-1, 0], ground - strip + 0.035, color * rng.choice([0.5, 1.3])
+        )
     canvas.rect(
         x0,
         ground - belt - 0.01,
@@ -118,18 +148,34 @@ def _end(
 ) -> None:
     x0, ground = at[0], at[1] + TALL_M - 0.4
     canvas.rect(x0, ground - 0.12, x0 + WIDE_M, ground + 0.4, (28, 28, 30))
-    for left in (0.1, WIDE_M - 0.5):
-        canvas.rect(x0 + left, ground - 0.5, x0 + left + 0.4, ground - 0.3, lamp)
-        canvas.frame(x0 + left, ground - 0.5, x0 + left + 0.4, ground - 0.3, 0.03, (30, 30, 32))
-    canvas.rect(x0 + 0.6, ground - 0.42, x0 + 1.3, ground - 0.28, (30, 30, 32))
+    wide, tall, raised = rng.uniform(0.22, 0.42), rng.uniform(0.12, 0.26), rng.uniform(0.46, 0.56)
+    for left in (0.1, WIDE_M - 0.1 - wide):
+        canvas.rect(x0 + left, ground - raised, x0 + left + wide, ground - raised + tall, lamp)
+        canvas.frame(x0 + left, ground - raised, x0 + left + wide, ground - raised + tall, 0.03, (30, 30, 32))
+    low, high = rng.uniform(0.52, 0.68), rng.uniform(0.24, 0.32)
+    for bar in np.linspace(ground - 0.44, ground - high, int(rng.integers(1, 5))):
+        canvas.rect(x0 + low, bar, x0 + WIDE_M - low, bar + 0.05, (30, 30, 32))
     canvas.rect(x0 + 0.66, ground - 0.14, x0 + 1.24, ground - 0.02, (236, 234, 222))
     plate = "".join(rng.choice(list("ABCDEFHKLMNPRSTUVX"), 3)) + str(rng.integers(100, 999))
     canvas.text(plate, x0 + 0.69, ground - 0.035, 0.08, (20, 20, 20))
 
 
 def _wheel(canvas: Canvas, rng: np.random.Generator) -> None:
+    """A tyre around a rim with holes, spokes, or a cap."""
     x, y = WHEEL_AT_M[0] + WHEEL_M, WHEEL_AT_M[1] + WHEEL_M
     canvas.ellipse((x, y), (WHEEL_M, WHEEL_M), (24, 24, 25))
-    canvas.ellipse((x, y), (0.22, 0.22), (168, 170, 172))
-    for angle in np.linspace(0, 2 * np.pi, int(rng.integers(5, 9)), endpoint=False):
-        canvas.ellipse((x + 0.14 * np.cos(angle), y + 0.14 * np.sin(angle)), (0.045, 0.045), (36, 36, 38))
+    rim, style, count = rng.uniform(0.19, 0.25), rng.integers(3), int(rng.integers(5, 11))
+    light, dark = np.full(3, rng.uniform(90, 190)), np.full(3, rng.uniform(22, 50))
+    turn = rng.uniform(0, 2 * np.pi)
+    angles = turn + np.linspace(0, 2 * np.pi, count, endpoint=False)
+    canvas.ellipse((x, y), (rim, rim), dark if style == 1 else light)
+    for angle in angles:
+        ahead = np.array([np.cos(angle), np.sin(angle)])
+        if style == 0:
+            hole = rng.uniform(0.03, 0.05)
+            canvas.ellipse((x, y) + 0.62 * rim * ahead, (hole, hole), dark)
+        elif style == 1:
+            canvas.stroke(np.array([[x, y], (x, y) + rim * ahead]), 0.16 / count**0.5, light)
+        else:
+            canvas.stroke(np.array([(x, y) + 0.4 * rim * ahead, (x, y) + 0.8 * rim * ahead]), 0.02, dark)
+    canvas.ellipse((x, y), (0.3 * rim, 0.3 * rim), light * rng.uniform(0.6, 1.1))

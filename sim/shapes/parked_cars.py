@@ -53,11 +53,23 @@ VAN = CarKind(
     axles_m=(0.9, 3.75),
     width_m=1.86,
 )
-KINDS = (HATCH, HATCH, SEDAN, SEDAN, VAN)
+ESTATE = CarKind(
+    ((0, 0.55), (0.04, 1.0), (0.3, 1.4), (0.9, 1.5), (2.8, 1.47), (3.5, 1.0), (4.4, 0.84), (4.6, 0.5)),
+    belt_m=0.97,
+    axles_m=(0.9, 3.68),
+    width_m=1.82,
+)
+OFF_ROADER = CarKind(
+    ((0, 0.62), (0.04, 1.1), (0.25, 1.62), (0.8, 1.7), (2.5, 1.66), (3.1, 1.14), (4.15, 1.02), (4.35, 0.58)),
+    belt_m=1.1,
+    axles_m=(0.85, 3.45),
+    width_m=1.85,
+)
+KINDS = (HATCH, HATCH, SEDAN, SEDAN, ESTATE, OFF_ROADER, VAN)
 
 
 def car(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
-    """Mesh (centred on the origin, nose to +x) and skin of one car."""
+    """Mesh (centred on the origin, nose to +x) and skin of one car of a kind."""
     profile = np.array(kind.profile_m)
     skin = Skin(paint_car(profile, kind.belt_m, kind.axles_m, rng), specular=0.5)
     return _mesh(kind).moved((-profile[-1, 0] / 2, 0.0, 0.0)), skin
@@ -69,6 +81,17 @@ def body(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
     skin = Skin(paint_car(profile, kind.belt_m, kind.axles_m, rng), specular=0.5)
     whole = merged([_hull(kind), _underside(kind)])
     return whole.moved((-profile[-1, 0] / 2, 0.0, 0.0)), skin
+
+
+def varied(kind: CarKind, rng: np.random.Generator) -> CarKind:
+    """A make of a kind: a little longer or shorter, higher or lower than another."""
+    long, high = rng.uniform(0.93, 1.02), rng.uniform(0.95, 1.06)
+    return CarKind(
+        tuple((x * long, z * high) for x, z in kind.profile_m),
+        kind.belt_m * high,
+        (kind.axles_m[0] * long, kind.axles_m[1] * long),
+        kind.width_m,
+    )
 
 
 def outline_m(kind: CarKind) -> tuple[float, float]:

@@ -6,19 +6,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sim.shapes.parked_cars import KINDS, car, outline_m
+from sim.shapes.parked_cars import KINDS, car, outline_m, varied
 from sim.streets.network import Bay
 from sim.streets.placing import Site, Thing
 from sim.streets.scenery import Skin
 
-MODELS = 14
+MODELS = 16
 
 
 def draw_cars(rng: np.random.Generator) -> tuple[dict[str, Skin], list[Thing]]:
     """Draw the cars that are parked around here, each with its own paint and number plate."""
     skins, things = {}, []
     for k in range(MODELS):
-        kind = KINDS[rng.integers(len(KINDS))]
+        kind = varied(KINDS[rng.integers(len(KINDS))], rng)
         mesh, skin = car(kind, rng)
         skins[f"car_{k}"] = skin
         things.append(Thing(mesh, f"car_{k}", outline_m(kind)))
