@@ -51,6 +51,10 @@ class Claims:
         self._turns = Turns()
         self._above = [(movers, k) for movers in above for k in range(len(movers.tracks))]
 
+    def in_box(self, track: int, cell: int) -> bool:
+        """Whether a cell of a track is part of a box."""
+        return self._boxed(track, cell, cell)
+
     def stand(self, track: int, rear_m: float, front_m: float, now_s: float) -> bool:
         """Let the next actor stand somewhere, unless that is in a box or on ground that is taken."""
         first, last = _cell(rear_m), _cell(front_m)

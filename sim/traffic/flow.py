@@ -94,6 +94,8 @@ class Flow:
         """Spread the entrants of each track evenly; none in a box or on ground that is taken."""
         ways: list[float] = []
         for index, track in enumerate(self.tracks):
+            if not track.closed and self._claims.in_box(index, 0):
+                continue  # who waited to come in would stand where others have just left
             mine = [k for k, entrant in enumerate(entrants) if entrant.track == index]
             first_rear, last_front = None, -np.inf
             for place, k in enumerate(mine):

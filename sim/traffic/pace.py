@@ -29,6 +29,11 @@ class Pace:
     step_s: float
     jam: float = 0.0
 
+    @property
+    def _last_step_m(self) -> float:
+        """What the last step of a stop may take more than braking at full strength would."""
+        return self.brake_mps2 * self.step_s**2 / 8
+
     def stopping_m(self, speed_mps: float) -> float:
         """Way to stop, if the brake is hit one step from now and acceleration goes on until then."""
         later = speed_mps + self.push_mps2 * self.step_s
@@ -40,7 +45,7 @@ class Pace:
         Speed changes linearly within the step. If ``free_m`` sufficed to stop before, it does so after.
         """
         brake, step = self.brake_mps2, self.step_s
-        rest = np.maximum(free_m - speed_mps * step / 2, 0.0)
+        rest = np.maximum(free_m - self._last_step_m - speed_mps * step / 2, 0.0)
         safe = np.sqrt((brake * step / 2) ** 2 + 2 * brake * rest) - brake * step / 2
         eased = np.maximum(limit_mps, speed_mps - 0.75 * brake * step)
         return np.asarray(
