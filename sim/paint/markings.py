@@ -131,8 +131,9 @@ def _limit(road: RoadCanvas, s: float) -> None:
 def _paint_bump(road: RoadCanvas, plan: Road, s: float) -> None:
     """Newer asphalt with teeth that point up both ramps."""
     low, high = s - BUMP_LENGTH_M / 2, s + BUMP_LENGTH_M / 2
-    road.canvas.fill(road.quad(low, plan.right_m + GUTTER_M, high, plan.left_m - GUTTER_M), (62, 61, 62), 0.6)
-    for d in np.arange(plan.right_m + 0.5, plan.left_m - 1.0, 1.1):
+    right, left = plan.bump_edges_m
+    road.canvas.fill(road.quad(low, right, high, left), (62, 61, 62), 0.6)
+    for d in np.arange(right + 0.15, left - 0.7, 1.1):
         for base, tip in ((low + 0.1, s - 0.5), (high - 0.1, s + 0.5)):
             teeth = np.array([road.at(base, d), road.at(base, d + 0.7), road.at(tip, d + 0.35)])
             road.canvas.fill(teeth, PAINT, 0.92, road.worn)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from sim.streets.path import Path
-from sim.streets.relief import BUMP_GUTTER_M, BUMP_LENGTH_M, Bump
+from sim.streets.relief import BUMP_LENGTH_M, Bump
 from sim.streets.road import Road
 
 _FIRST_M = 8.0  # from the origin, where the ground is level
@@ -65,5 +65,6 @@ def _place(roads: Sequence[Road], route: Path, s_m: float) -> tuple[Road, float]
 
 
 def _bump(road: Road, s_m: float) -> Bump:
-    x, y = road.path.point_m(s_m, (road.left_m + road.right_m) / 2)
-    return Bump((float(x), float(y)), float(road.path.heading_rad(s_m)), road.width_m / 2 - BUMP_GUTTER_M)
+    right, left = road.bump_edges_m
+    x, y = road.path.point_m(s_m, (left + right) / 2)
+    return Bump((float(x), float(y)), float(road.path.heading_rad(s_m)), (left - right) / 2)

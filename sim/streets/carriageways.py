@@ -10,7 +10,7 @@ from sim.paint.markings import paint_road, paint_teeth, pave_edge
 from sim.paint.road import RoadCanvas, asphalt
 from sim.streets.drape import area, band
 from sim.streets.network import Junction, Network
-from sim.streets.relief import BUMP_FLANK_M, BUMP_GUTTER_M, BUMP_LENGTH_M, Relief
+from sim.streets.relief import BUMP_FLANK_M, BUMP_LENGTH_M, Relief
 from sim.streets.road import Road
 from sim.streets.scenery import NOTHING, Prop, Scenery, Skin
 
@@ -82,8 +82,8 @@ def _columns(left_m: float, right_m: float, road: Road, relief: Relief) -> Array
     count = 1 if relief.is_flat else int((left_m - right_m) / _step(relief)) + 1
     d_m = np.linspace(right_m, left_m, count + 1)
     if road.bumps_m:
-        flank = np.array([BUMP_GUTTER_M, BUMP_GUTTER_M + BUMP_FLANK_M])
-        d_m = np.union1d(d_m, np.concatenate([road.right_m + flank, road.left_m - flank]))
+        right, left = road.bump_edges_m
+        d_m = np.union1d(d_m, [right, right + BUMP_FLANK_M, left - BUMP_FLANK_M, left])
     return np.asarray(d_m[::-1])
 
 

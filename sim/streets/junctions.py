@@ -113,12 +113,13 @@ def _surfaces(
 
 
 def _surface(part: Polygon, roads: Sequence[Road], joints: Sequence[Joint]) -> Junction:
-    """Painted along the road that goes through it."""
+    """Painted along the road that goes through it, with the give-way line of the arm it belongs to."""
     by_name = {road.name: road for road in roads}
     at = np.array(part.centroid.coords[0])
 
     def away_m(joint: Joint) -> float:
-        return float(np.linalg.norm(by_name[joint.through].path.point_m(joint.s_m) - at))
+        arm, half = by_name[joint.arm], by_name[joint.through].width_m / 2
+        return float(np.linalg.norm(arm.path.point_m(arm.path.start_m + half + 2.0) - at))
 
     joint = min(joints, key=away_m)
     through = by_name[joint.through]

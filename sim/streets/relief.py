@@ -10,7 +10,6 @@ from estimator.se3 import Array
 
 BUMP_HEIGHT_M = 0.07
 BUMP_LENGTH_M = 3.7  # of a hump that is driven over at 30 km/h; Watts 1973
-BUMP_GUTTER_M = 0.35  # left free along kerbs
 BUMP_FLANK_M = 0.3
 _HILL_WAVELENGTHS_M = ((150.0, 190.0), (110.0, 140.0), (210.0, 260.0))  # shorter ones would lift wheels
 _HILL_WEIGHTS = (1.0, 0.35, 0.6)  # share of the slope

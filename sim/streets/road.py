@@ -17,6 +17,7 @@ BAY_M = 5.6
 KERB_M = 0.12
 ZEBRA_M = 3.2
 EDGE_STEP_M = 0.5
+BUMP_GUTTER_M = 0.35
 _TIGHTEST_PARKED_1PM = 1 / 17.0  # bend along which cars park
 AISLE_BAY_M = (5.0, 2.5)  # length and width of a bay of a car park
 
@@ -130,6 +131,12 @@ class Road:
                 and s + BAY_M <= self.span_m[1]
             ]
         )
+
+    @property
+    def bump_edges_m(self) -> tuple[float, float]:
+        """d between which speed bumps lie, right and left: not in gutters, nor in the bays of an aisle."""
+        margin = AISLE_BAY_M[0] if self.style == "aisle" else BUMP_GUTTER_M
+        return self.right_m + margin, self.left_m - margin
 
     def across_bays_m(self, side: int) -> Array:
         """s at which the bays across an aisle begin, on one side; none where it is too narrow for them."""

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 from shapely import contains_xy
-from shapely.geometry import LineString
+from shapely.geometry import LineString, Point
 from shapely.ops import unary_union
 
 from sim.streets.kinds import PLANS, SHORTEST_M, Ground, draw_network
@@ -122,3 +122,12 @@ def test_a_loop_is_as_long_as_asked() -> None:
 def test_a_street_without_room_for_its_kind_is_refused_with_the_reason(kind: str, length_m: float) -> None:
     with pytest.raises(ValidationError, match=rf"length_m is {length_m:g}; kind {kind} (needs|takes) at"):
         StreetConfig(kind=kind, length_m=length_m)
+
+
+def test_every_arm_has_its_own_give_way_line() -> None:
+    for kind, arms in (("crossroads", 2), ("roundabout", 4), ("t_junction", 1)):
+        network = draw(kind)
+        middles = [junction.teeth_m.mean(axis=(0, 1)) for junction in network.junctions]
+        assert len(middles) == arms
+        for junction, middle in zip(network.junctions, middles, strict=True):
+            assert junction.outline.buffer(0.5).contains(Point(middle))
