@@ -85,7 +85,7 @@ def _species_at(x_m: Array) -> NDArray[np.int64]:
 
 def _leaf_colors(x_m: Array, y_m: Array, light: Array) -> Array:
     greens = np.array(list(_GREENS.values()), float)[_species_at(x_m)]
-    result: Array = greens * ((0.45 + 0.95 * light) * _exposure(y_m))[:, None]
+    result: Array = greens * ((0.62 + 0.62 * light) * _exposure(y_m))[:, None]
     return result
 
 
@@ -93,7 +93,7 @@ def _ground_of_columns(canvas: Canvas) -> None:
     """What is seen between the leaves: the same green, far darker."""
     x_m, y_m = ((np.arange(count, dtype=np.float64) + 0.5) * _TEXEL_M for count in canvas.shape[::-1])
     greens = np.array(list(_GREENS.values()), float)[_species_at(x_m)]
-    canvas.pixels[:] = 0.33 * greens[None] * _exposure(y_m)[:, None, None]
+    canvas.pixels[:] = 0.42 * greens[None] * _exposure(y_m)[:, None, None]
 
 
 def _bark(canvas: Canvas, kind: int, rng: np.random.Generator) -> None:

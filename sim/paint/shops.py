@@ -47,9 +47,9 @@ def _display(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator)
         x = p.x0 + 0.1
         while x < p.x1 - 0.15:
             w, h = rng.uniform(0.08, 0.26), rng.uniform(0.1, 0.38)
-            canvas.rect(x, shelf - h, min(x + w, p.x1), shelf, rng.uniform(70, 190, 3))
+            canvas.rect(x, shelf - h, min(x + w, p.x1), shelf, rng.uniform(60, 150, 3))
             canvas.rect(
-                x + 0.02, shelf - h * 0.6, min(x + w - 0.02, p.x1), shelf - h * 0.35, rng.uniform(110, 215, 3)
+                x + 0.02, shelf - h * 0.6, min(x + w - 0.02, p.x1), shelf - h * 0.35, rng.uniform(85, 175, 3)
             )
             x += w + rng.uniform(0.03, 0.2)
     w, h = p.x1 - p.x0, p.z1 - p.z0

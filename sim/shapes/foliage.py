@@ -38,7 +38,7 @@ def foliage(
     """
     reach = np.linalg.norm(clusters - middle, axis=1) + radii_m
     rect = leaves(species)
-    cores = [_core(c, 0.44 * r, middle, rect, rng) for c, r in zip(clusters, radii_m, strict=True)]
+    cores = [_core(c, 0.56 * r, middle, rect, rng) for c, r in zip(clusters, radii_m, strict=True)]
     return merged([*cores, _leaves(clusters, radii_m, middle, float(reach.max()), rect, count, leaf_m, rng)])
 
 

@@ -82,7 +82,9 @@ def _furnish_kerbs(
     streets = [KerbSite(site, kerb) for kerb in network.kerbs if kerb.lining in ("houses", "bare")]
     sign_junctions(streets, network, catalogue)
     sign_crossings(streets, catalogue)
-    lamps = [lamp for street in streets for lamp in line_with_lamps(street, catalogue)]
+    lamps: list[Lamp] = []
+    for street in streets:
+        lamps += line_with_lamps(street, catalogue, lamps)
     for street in streets:
         line_with_trees(street, green)
         if street.kerb.lining == "houses":

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -12,8 +14,8 @@ from sim.streets.catalogue import Catalogue
 from sim.streets.placing import TO_STREET, KerbSite
 
 SPACING_M = 27.0  # on each side, so that one comes every thirteen metres of street
-_FIRST_M = 5.0
-_SHIFTS_M = (0.0, 1.2, -1.2, 2.4, -2.4)
+_FIRST_M, _APART_M = 5.0, 9.0
+_SHIFTS_M = (0.0, 1.2, -1.2, 2.4, -2.4, 5.0, -5.0, 8.0)
 
 
 @dataclass(frozen=True)
@@ -31,14 +33,18 @@ class Lamp:
     kind: Literal["street", "tunnel", "mast"]
 
 
-def line_with_lamps(street: KerbSite, catalogue: Catalogue) -> list[Lamp]:
-    """Stand lamps along a kerb; return what shines."""
-    kerb, lamps = street.kerb, []
+def line_with_lamps(street: KerbSite, catalogue: Catalogue, others: Sequence[Lamp]) -> list[Lamp]:
+    """Stand lamps along a kerb, not next to any other across a narrow street; return what shines."""
+    kerb, lamps = street.kerb, list[Lamp]()
     first_m = _FIRST_M + (0.0 if kerb.side > 0 else SPACING_M / 2)
     for s in street.steps(first_m, SPACING_M):
         for shift in _SHIFTS_M:
-            if street.put(catalogue.lamp, s + shift, 0.4, TO_STREET):
-                lamps.append(_lamp(street, float(s + shift)))
+            lamp = _lamp(street, float(s + shift))
+            alone = all(
+                math.dist(lamp.position_m, other.position_m) > _APART_M for other in (*others, *lamps)
+            )
+            if alone and street.put(catalogue.lamp, s + shift, 0.4, TO_STREET):
+                lamps.append(lamp)
                 break
     return lamps
 

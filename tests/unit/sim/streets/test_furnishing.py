@@ -1,0 +1,134 @@
+"""What stands in a street: by rules, apart from each other, out of the way, and each knob by itself."""
+
+import itertools
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+from shapely.geometry import LineString, Polygon
+
+from sim.streets.footprint import gap_m
+from sim.streets.furnishing import furnish
+from sim.streets.kinds import Ground, draw_network
+from sim.streets.lamps import Lamp
+from sim.streets.lots import draw_lots
+from sim.streets.network import Network, driven_line_m
+from sim.streets.scenery import Prop
+
+KINDS = {
+    "bend": 40.0,
+    "crossroads": 40.0,
+    "motorway": 60.0,
+    "tunnel": 60.0,
+    "car_park": 110.0,
+    "suburb": 40.0,
+}
+CAR_HALF_M = 0.95
+
+
+@cache
+def network(kind: str, slope_percent: float = 0.0) -> Network:
+    plan, relief = np.random.default_rng(5).spawn(2)
+    return draw_network(kind, KINDS[kind], Ground(slope_percent=slope_percent), plan, relief)
+
+
+@cache
+def furnished(
+    kind: str, parking: float = 0.6, vegetation: float = 1.0, slope_percent: float = 0.0
+) -> tuple[tuple[Prop, ...], tuple[Lamp, ...]]:
+    plan = network(kind, slope_percent)
+    lots = draw_lots(plan, "varied", np.random.default_rng(1))
+    driven = driven_line_m(plan.route, KINDS[kind])
+    scenery, lamps = furnish(plan, lots, driven, parking, vegetation, np.random.default_rng(2))
+    return scenery.props, lamps
+
+
+def places(props: tuple[Prop, ...], skin: str) -> set[tuple[float, ...]]:
+    return {prop.position_m for prop in props if prop.skin.startswith(skin)}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_nothing_stands_in_the_driven_lane(kind: str) -> None:
+    lane = LineString(driven_line_m(network(kind).route, KINDS[kind])).buffer(CAR_HALF_M)
+    for prop in furnished(kind)[0]:
+        if prop.footprint_m is not None:
+            assert not Polygon(prop.footprint_m).intersects(lane), prop.name
+
+
+@pytest.mark.parametrize("kind", ("bend", "car_park"))
+def test_parked_cars_and_furniture_do_not_stand_in_each_other(kind: str) -> None:
+    standing = [prop for prop in furnished(kind, parking=1.0)[0] if prop.footprint_m is not None]
+    for one, other in itertools.combinations(standing, 2):
+        if math.dist(one.position_m, other.position_m) < 8.0:
+            assert one.footprint_m is not None and other.footprint_m is not None
+            assert gap_m(one.footprint_m, other.footprint_m) > -0.02, (one.name, other.name)
+
+
+def test_parking_takes_a_share_of_the_bays_and_changes_nothing_else() -> None:
+    empty, some, full = (furnished("bend", parking=share)[0] for share in (0.0, 0.5, 1.0))
+    assert not places(empty, "car_")
+    assert places(some, "car_") < places(full, "car_")
+    assert len(places(full, "car_")) == len(network("bend").bays)
+    assert places(empty, "furniture") == places(full, "furniture")
+    assert places(empty, "plants") == places(full, "plants")
+
+
+def test_less_vegetation_only_leaves_plants_out() -> None:
+    bare, some, lush = (furnished("bend", vegetation=share)[0] for share in (0.0, 0.5, 1.0))
+    assert not places(bare, "plants")
+    assert places(some, "plants") < places(lush, "plants")
+    assert places(bare, "furniture") == places(lush, "furniture")
+    assert places(bare, "car_") == places(lush, "car_")
+
+
+def test_lamps_come_at_a_spacing_and_shine_down_over_the_street() -> None:
+    lamps = furnished("bend")[1]
+    assert len(lamps) > 6
+    for lamp in lamps:
+        assert lamp.kind == "street"
+        assert 5.0 < lamp.position_m[2] < 7.0
+        assert lamp.aim[2] < -0.5
+        nearest = min(
+            np.linalg.norm(np.subtract(lamp.position_m, o.position_m)) for o in lamps if o is not lamp
+        )
+        assert 6.0 < nearest < 30.0
+
+
+def test_a_tunnel_is_lit_under_its_ceiling() -> None:
+    (tunnel,) = network("tunnel").tunnels
+    inside = [lamp for lamp in furnished("tunnel")[1] if lamp.kind == "tunnel"]
+    outline = Polygon(tunnel.outline_m)
+    assert len(inside) > 8
+    assert all(
+        Polygon(tunnel.outline_m).distance(LineString([lamp.position_m[:2]] * 2)) == 0 for lamp in inside
+    )
+    assert all(0 < tunnel.height_m - lamp.position_m[2] < 0.3 for lamp in inside)
+    assert outline.area > 100.0
+
+
+def test_a_motorway_has_rails_and_a_gantry_with_room_below() -> None:
+    props = furnished("motorway")[0]
+    names = [prop.name for prop in props]
+    assert any(name.startswith("rail_") for name in names)
+    boards = [prop for prop in props if prop.name.startswith("gantry_") and prop.skin == prop.name]
+    assert boards
+    assert all(prop.mesh.vertices_m[:, 2].min() > 5.0 for prop in boards)
+
+
+def test_things_stand_on_the_ground_of_a_hill() -> None:
+    plan = network("bend", 8.0)
+    for prop in furnished("bend", slope_percent=8.0)[0]:
+        x, y, z = prop.position_m
+        if prop.footprint_m is not None:
+            assert z - float(plan.relief.height_m(np.array([x, y]))) in (
+                pytest.approx(0.0),
+                pytest.approx(0.12),
+            )
+
+
+def test_lights_stand_where_streets_cross_and_signs_where_one_joins() -> None:
+    assert (
+        len([p for p in furnished("crossroads")[0] if p.mesh.vertices_m[:, 2].max() == pytest.approx(3.5)])
+        == 4
+    )
