@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sim.paint.canvas import Canvas, RgbImage
-from sim.paint.noise import crooked_line, fractal, smoothstep
+from sim.paint.noise import crooked_line, fractal, scrawl, smoothstep
 from sim.paint.openings import PAINTERS
 from sim.paint.paving import lay_setts
 from sim.shapes.facade import FLANK_M, Facade, Panel
@@ -115,11 +115,7 @@ def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     for _ in range(rng.poisson(facade.width_m / 6.0)):
         x, y = rng.uniform(0.2, facade.width_m + FLANK_M - 1), facade.height_m - rng.uniform(0.7, 1.9)
         if rng.random() < 0.5:
-            count = int(rng.integers(6, 12))
-            wave = np.stack(
-                [np.linspace(0, rng.uniform(0.5, 1.4), count), rng.normal(0, 0.18, count)], axis=1
-            )
-            line = wave + np.array([x, y])
+            line = scrawl(rng, rng.uniform(0.5, 1.4), 0.35) + np.array([x, y])
             canvas.stroke(
                 line, 0.04, rng.choice([20.0, 230.0]) * np.array([1.0, rng.uniform(0.3, 1), 0.6]), 0.8
             )

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from sim.paint.canvas import Canvas, RgbImage
 from sim.paint.furniture_parts import REGIONS_M, SIZE_M
-from sim.paint.noise import fractal
+from sim.paint.noise import fractal, scrawl
 from sim.paint.paving import lay_setts
 from sim.paint.signs import paint_plates, paint_signals, paint_signs
 
@@ -77,8 +77,8 @@ def _scrawl(canvas: Canvas, name: str, count: int, rng: np.random.Generator) -> 
         a, b = rng.uniform(x + 0.1, x + max(0.12, w - 0.3)), rng.uniform(y + 0.1, y + h - 0.25)
         canvas.rect(a, b, a + 0.2, b + 0.14, rng.uniform(30, 240, 3))
         canvas.rect(a + 0.03, b + 0.03, a + 0.14, b + 0.07, rng.uniform(30, 240, 3))
-        line = np.column_stack([np.linspace(a, a + 0.3, 8), b + rng.normal(0, 0.08, 8)])
-        canvas.stroke(line, 0.03, rng.uniform(10, 90, 3), 0.9)
+        line = scrawl(rng, 0.3, 0.16) + np.array([a, b])
+        canvas.stroke(line, 0.02, rng.uniform(10, 90, 3), 0.9)
 
 
 def _posters(canvas: Canvas, rng: np.random.Generator) -> None:

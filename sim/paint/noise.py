@@ -59,3 +59,12 @@ def crooked_line(
     steps = 0.15 * np.stack([np.cos(headings), np.sin(headings)], axis=1)
     result: Array = np.asarray(start_m) + np.vstack([[0.0, 0.0], np.cumsum(steps, axis=0)])
     return result
+
+
+def scrawl(rng: np.random.Generator, length_m: float, height_m: float) -> Array:
+    """A looping stroke as of a sprayed tag, from the origin to the right; (N, 2) points in metres."""
+    t = np.linspace(0.0, 1.0, 44)
+    turns, phases = rng.uniform(2.0, 7.0, (2, 3)), rng.uniform(0, 2 * np.pi, (2, 3))
+    sideways, up = np.sin(2 * np.pi * turns[:, :, None] * t + phases[:, :, None]).mean(axis=1)
+    result: Array = np.column_stack([length_m * (t + 0.12 * sideways), height_m * up])
+    return result

@@ -15,7 +15,7 @@ from sim.shapes.facade import Facade, Panel
 
 def _window(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator) -> None:
     paint_glass(canvas, p, rng)
-    frame = (230, 228, 222) if sum(facade.trim_color) > 450 else (74, 60, 50)
+    frame = (204, 202, 196) if sum(facade.trim_color) > 450 else (74, 60, 50)
     canvas.frame(p.x0, p.z0, p.x1, p.z1, 0.07, frame)
     middle = (p.x0 + p.x1) / 2
     canvas.rect(middle - 0.035, p.z0, middle + 0.035, p.z1, frame)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from sim.paint.canvas import Canvas, RgbImage
-from sim.paint.noise import fractal
+from sim.paint.noise import fractal, scrawl
 from sim.paint.plants import leaves_color
 
 RAIL_M = 24.0  # length of the painted piece of guard rail
@@ -62,9 +62,8 @@ def paint_noise_wall(length_m: float, height_m: float, kind: int, rng: np.random
 
 
 def _tag(canvas: Canvas, x: float, y: float, rng: np.random.Generator) -> None:
-    count = int(rng.integers(8, 14))
-    wave = np.column_stack([np.linspace(0, rng.uniform(0.9, 2.2), count), rng.normal(0, 0.3, count)])
-    canvas.stroke(wave + np.array([x, y]), 0.09, rng.uniform(20, 230, 3), 0.9)
+    line = scrawl(rng, rng.uniform(0.9, 2.2), 0.6) + np.array([x, y])
+    canvas.stroke(line, 0.08, rng.uniform(20, 200, 3), 0.9)
 
 
 def _ivy(canvas: Canvas, x: float, height_m: float, rng: np.random.Generator) -> None:

@@ -17,6 +17,10 @@ Painter = Callable[[Canvas, Facade, Panel, np.random.Generator], None]
 SHOP_NAMES = (
     "BAKERY", "CAFE LUNA", "OPTIK", "BOOKS", "PHARMACY", "SALON", "FAHRRAD", "BISTRO", "FLOWERS", "KIOSK",
     "TABAK", "PIZZERIA", "SHOES", "ATELIER", "HOTEL", "MARKT", "COPYSHOP", "MUSIK", "BAR 12", "SCHMIDT",
+    "WEINGUT", "GALERIE", "SCHUHHAUS", "REISEN", "KUECHEN", "LEDER WOLF", "FOTO ERB", "JUWELIER", "TEESTUBE",
+    "SPORT 2000", "BLUMEN IDA", "ZOO EICK", "ANTIK", "IMBISS", "NAILS", "BARBER", "HANDY FIX", "MODE LIV",
+    "METZGEREI", "KONDITOR", "HOERGERAETE", "LOTTO", "NAEHEN", "COMIX", "VINYL", "RADIO KURZ", "BETTEN",
+    "SUSHI KO", "TAPAS", "BUEROBEDARF", "UHREN", "EIS VENEZIA", "GYROS", "BANK", "POST", "YOGA", "TATTOO",
 )  # fmt: skip
 
 
@@ -81,7 +85,7 @@ def _sign(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator) ->
     ink = np.array([240, 236, 220]) if dark else np.array(facade.accent_color) * 0.8
     canvas.rect(p.x0, p.z0, p.x1, p.z1, ground)
     canvas.frame(p.x0, p.z0, p.x1, p.z1, 0.03, ink)
-    name = str(rng.choice(SHOP_NAMES))
+    name = facade.shop_name or str(rng.choice(SHOP_NAMES))
     height = min(0.34, (p.x1 - p.x0 - 0.4) / (0.95 * len(name)))
     start = p.x0 + 0.2 + rng.uniform(0, 1) * max(0.0, p.x1 - p.x0 - 0.4 - 0.9 * height * len(name))
     canvas.text(name, start, (p.z0 + p.z1) / 2 + height / 2, height, ink)

@@ -6,7 +6,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.paint.canvas import Canvas, RgbImage
-from sim.paint.noise import crooked_line, fractal
+from sim.paint.noise import crooked_line, fractal, scrawl
 
 PANEL_M = 2.5  # of the wall's cladding, and of the ceiling's formwork
 LAMP_EVERY_M, LAMP_M = 5.0, 1.3
@@ -132,10 +132,8 @@ def _stains(canvas: Canvas, length: float, wall: float, width: float, rng: np.ra
     for _ in range(rng.poisson(length / 14.0)):
         x, side = rng.uniform(0, length), rng.random() < 0.5
         y = rng.uniform(0.7, 1.9)
-        count = int(rng.integers(7, 13))
-        wave = np.column_stack([np.linspace(0, rng.uniform(0.8, 2.0), count), rng.normal(0, 0.22, count)])
         at = np.array([x, y if side else 2 * wall + width - y])
-        canvas.stroke(wave + at, 0.06, rng.uniform(20, 200, 3), 0.85)
+        canvas.stroke(scrawl(rng, rng.uniform(0.8, 2.0), 0.5) + at, 0.05, rng.uniform(20, 200, 3), 0.85)
 
 
 def paint_portal(width_m: float, height_m: float, clear_m: float, rng: np.random.Generator) -> RgbImage:

@@ -64,6 +64,7 @@ class Facade:
         panels: On the front.
         flank: On each side wall, which is ``FLANK_M`` wide.
         roof: What covers it.
+        shop_name: What is written over the shop, if there is one; empty for any name.
     """
 
     width_m: float
@@ -76,3 +77,4 @@ class Facade:
     panels: tuple[Panel, ...] = field(default=())
     flank: tuple[Panel, ...] = field(default=())
     roof: Roof = Roof("flat", 0.05)
+    shop_name: str = ""

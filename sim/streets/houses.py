@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 from estimator.se3 import Array
 from sim.paint.facade import paint_facade
 from sim.paint.lit_windows import light_windows
+from sim.paint.shops import SHOP_NAMES
 from sim.shapes.facade import Facade
 from sim.shapes.facade_plan import CANYON, OLD_TOWN, draw_facade, draw_plain_house
 from sim.shapes.house_mesh import house_mesh
@@ -56,7 +57,8 @@ def build_houses(
     near = cKDTree(driven_m)
     props: list[Prop] = []
     skins: dict[str, Skin] = {}
-    module_rng, *streams = rng.spawn(1 + len(lots))
+    module_rng, names_rng, *streams = rng.spawn(2 + len(lots))
+    names = [str(name) for name in names_rng.permutation(SHOP_NAMES)]
     module = draw_facade(MODULE_M, module_rng, corner=True, floors=floors) if facades == "repeated" else None
     if module:
         skins["house_module"] = _skin(module, NEAR.texel_m, module_rng)
@@ -66,7 +68,8 @@ def build_houses(
         detail = NEAR if near.query(lot.front_m.mean(axis=0))[0] < FAR_M else FAR
         facade, skin = module, "house_module"
         if facade is None:
-            facade, skin = _drawn(lot, facades, floors, stream), f"house_{k}"
+            drawn = _drawn(lot, facades, floors, stream)
+            facade, skin = replace(drawn, shop_name=names[k % len(names)]), f"house_{k}"
             skins[skin] = _skin(facade, detail.texel_m, stream)
         mesh = house_mesh(facade, lot.front_m, lot.back_m, detail.relief_m, lot.seen)
         z = float(relief.height_m(lot.front_m).mean()) + lot.curb_m - _SINK_M
