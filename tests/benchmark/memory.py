@@ -1,7 +1,7 @@
 """Does a long drive record in constant memory? Prints the process's resident size as the drive goes on.
 
 ``python -m tests.benchmark.memory [SCENARIO] [--minutes 10] [--set KEY=VALUE ...]`` drives round and round
-at one bundle a second, so that the physics and the street are those of a long drive and the pictures few.
+at one bundle a second in a quarter of the resolution: physics, street and traffic are those of a long drive.
 Exit code 1 if the size grows by more than a tenth between the first minute and the last.
 """
 
@@ -16,6 +16,7 @@ import psutil
 
 from scenarios.load import load_scenario
 from sim.recorder import record
+from tests.scenarios.first_bundles import shrunk
 
 _BUNDLES_A_MINUTE = 60
 _MOST_GROWTH = 1.1
@@ -30,7 +31,7 @@ def main() -> int:
     speed_mps = load_scenario(arguments.scenario).world.drive.speed_mps
     distance_m = speed_mps * 60 * arguments.minutes
     settings = ["drive.rate_hz=1", f"drive.distance_m={distance_m}", *arguments.settings]
-    scenario = load_scenario(arguments.scenario, settings)
+    scenario = shrunk(load_scenario(arguments.scenario, settings))
     process = psutil.Process()
     sizes_mb: list[float] = []
 
