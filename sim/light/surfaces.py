@@ -100,16 +100,20 @@ def _normals(here: Floats, slopes: Floats, x: Floats, y: Floats, pinhole: Camera
 
 
 def _slope(nearness: Floats, here: Floats, axis: int) -> Floats:
-    """Return (h, w) how the nearness grows by a pixel along an axis, at the samples."""
+    """Return (h, w) how the nearness grows by a pixel along an axis, at the samples.
+
+    Of the differences to the two neighbours the smaller counts: the other one may reach over an edge.
+    """
     length = nearness.shape[axis]
     places = STEP * np.arange(here.shape[axis])
     across = nearness[:, ::STEP] if axis == 0 else nearness[::STEP]
     after = np.take(across, np.minimum(places + 1, length - 1), axis) - here
     before = here - np.take(across, np.maximum(places - 1, 0), axis)
-    # At the border a neighbour is missing, its difference zero: the other one counts.
-    only_before = np.abs(after) > np.abs(before)
-    swap = (before != 0) & only_before | (after == 0)
-    return np.where(swap, before, after)
+    first, last = (np.s_[:1], np.s_[-1:]) if axis == 0 else (np.s_[:, :1], np.s_[:, -1:])
+    before[first] = after[first]  # a neighbour is missing there
+    if places[-1] == length - 1:
+        after[last] = before[last]
+    return np.where(np.abs(after) < np.abs(before), after, before)
 
 
 def _edge_samples(depth_m: DepthImage, slopes: Floats) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
@@ -117,7 +121,7 @@ def _edge_samples(depth_m: DepthImage, slopes: Floats) -> tuple[npt.NDArray[np.i
     width = depth_m.shape[1]
     nearness = np.asarray(1 / depth_m, np.float32)
     bend = cv2.absdiff(cv2.Laplacian(nearness, cv2.CV_32F, ksize=1), 0)
-    edge = cv2.dilate(cv2.compare(bend, _BEND, cv2.CMP_GT), np.ones((3, 3), np.uint8))
+    edge = cv2.dilate(cv2.compare(bend, _BEND, cv2.CMP_GT), np.ones((2 * STEP - 1,) * 2, np.uint8))
     index = np.flatnonzero(edge)
     row, column = np.divmod(index.astype(np.int32), np.int32(width))
     rows, columns = slopes.shape[1:]

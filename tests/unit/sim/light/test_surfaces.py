@@ -1,0 +1,55 @@
+"""Surfaces reconstructed from depth: exact on planes, and nothing leaks over edges."""
+
+import numpy as np
+
+from estimator.camera import Camera
+from estimator.se3 import SE3
+from sim.light.surfaces import STEP, Surfaces, surfaces_of
+from sim.rendering.view import FAR_M, View
+
+PINHOLE = Camera("pinhole", (64, 40), (45.0, 46.0), (30.0, 21.0))
+POSE = SE3.exp(np.array([0.3, -0.2, 0.5, 1.0, 2.0, 3.0]))
+
+
+def rays() -> np.ndarray:
+    u, v = np.meshgrid(np.arange(64), np.arange(40))
+    return np.stack([(u - 30) / 45, (v - 21) / 46, np.ones_like(u)], -1)
+
+
+def plane(normal_cam: np.ndarray, distance_m: float) -> np.ndarray:
+    nearness = np.maximum(rays() @ normal_cam / distance_m, 1 / FAR_M)
+    return (1 / nearness).astype(np.float32)
+
+
+def of(depth_m: np.ndarray) -> Surfaces:
+    return surfaces_of(View(PINHOLE, POSE), depth_m)
+
+
+def test_points_and_normals_of_a_plane_are_exact() -> None:
+    normal_cam = np.array([0.3, -0.2, 0.9]) / np.linalg.norm([0.3, -0.2, 0.9])
+    surfaces = of(plane(normal_cam, 5.0))
+    towards_camera = -(POSE.rotation @ normal_cam)
+    assert np.allclose(surfaces.normals.reshape(3, -1), towards_camera[:, None], atol=1e-3)
+    heights = (surfaces.points_m.reshape(3, -1).T - POSE.translation) @ towards_camera
+    assert np.allclose(heights, -5.0, atol=1e-3)
+
+
+def test_light_does_not_leak_over_an_edge() -> None:
+    depth_m = np.full((40, 64), 20.0, np.float32)
+    depth_m[:, 31:] = 4.0
+    surfaces = of(depth_m)
+    near = (depth_m[::STEP, ::STEP] < 10).astype(np.float32)
+    assert np.array_equal(surfaces.enlarged(near), (depth_m < 10).astype(np.float32))
+
+
+def test_a_crease_parts_what_faces_differently() -> None:
+    wall, ground = plane(np.array([0.0, 0.0, 1.0]), 6.0), plane(np.array([0.0, 1.0, 0.0]), 1.2)
+    depth_m = np.minimum(wall, ground)
+    surfaces = of(depth_m)
+    is_ground = (ground < wall).astype(np.float32)
+    assert np.array_equal(surfaces.enlarged(is_ground[::STEP, ::STEP]), is_ground)
+
+
+def test_nothing_far_away_is_sky() -> None:
+    assert of(np.full((40, 64), FAR_M, np.float32)).sky.all()
+    assert not of(np.full((40, 64), 100.0, np.float32)).sky.any()
