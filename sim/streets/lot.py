@@ -67,7 +67,7 @@ class Manner:
 
 
 MANNERS = {
-    "varied": Manner((5.5, 11.0), _SETBACKS_M, 0.14),
+    "varied": Manner((5.5, 11.0), _SETBACKS_M, 0.17),
     "bare": Manner((9.0, 16.0), (0.0,), 0.0),
     "repeated": Manner((MODULE_M, MODULE_M), (0.0,), 0.0),
 }
