@@ -18,6 +18,7 @@ from sim.light.surfaces import Floats, Surfaces
 from sim.light.tunnels import CoveredRoad, TunnelShade
 from sim.light.weather import WeatherConfig, on_ladder
 
+_BOUNCED = 0.02  # illuminance that walls pass on in a tunnel of lamps of full strength
 _FARTHEST_M = 140.0  # lamps beyond light nothing that a camera resolves
 
 
@@ -45,6 +46,7 @@ class Relight:
         self.headlights = max(lit, min(1.0, weather.dusk), min(1.0, weather.tunnel))
         self.glow = max(lit, 0.6 * min(1.0, weather.dusk))
         self._shade = TunnelShade(tunnels, on_ladder(weather.tunnel, (20.0, 9.0, 6.5, 5.0, 4.0, 3.2)))
+        self._bounced = _BOUNCED * in_tunnel
         self._is_shaded = bool(tunnels) and weather.tunnel > 0
         self._tunnel_depth = min(1.0, weather.tunnel)
 
@@ -82,6 +84,7 @@ class Relight:
         """Return the (H, W) picture in levels; ``wet`` is the (h, w) share of albedo that is left."""
         share = np.ones_like(lamplight) if daylight is None else daylight
         by_day = np.float32(self._daylight) * share
+        lamplight = lamplight + np.float32(self._bounced) * (1 - share)
         if wet is not None:
             by_day, lamplight = by_day * wet, lamplight * wet
         sky = surfaces.sky
