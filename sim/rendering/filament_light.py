@@ -60,7 +60,7 @@ class FilamentLights:
 
 def _add_sky(mjrf: Any, context: Any, scene: Any, model: mujoco.MjModel) -> Any:
     """Add the skybox, and its even light from all around; return what must be kept alive."""
-    display = np.clip(sky_light(model), 0, 1) ** (1 / GAMMA)
+    display = sky_light(model) ** (1 / GAMMA)
     even = np.rint(255 * np.broadcast_to(display, (6 * _SKY_SIDE_PX, _SKY_SIDE_PX, 3))).astype(np.uint8)
     around = _cube(mjrf, context, even, mjrf.SamplerType.TEXTURE_CUBE)
     kind = mjrf.LightType.LIGHT_IMAGE

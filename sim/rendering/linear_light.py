@@ -38,12 +38,12 @@ def lamp_light(model: mujoco.MjModel, index: int) -> Array:
 
 
 def sky_light(model: mujoco.MjModel) -> Array:
-    """Return (3,) linear light on a white wall from all around: ambient light, and all fill light."""
+    """Return (3,) linear light, 1 at most, on a white wall from all around: ambient and all fill light."""
     headlight = model.vis.headlight
-    color = np.asarray(headlight.ambient, float) * float(headlight.active)
+    color = np.asarray(headlight.ambient, float) * float(headlight.active > 0)
     for index in range(model.nlight):
         active = float(model.light_active[index])
         color = color + active * model.light_ambient[index]
         if not shines(model, index):
             color = color + active * model.light_diffuse[index] / 4  # a cosine's mean over all directions
-    return DAYLIGHT * linear(color)
+    return np.minimum(DAYLIGHT * linear(color), 1.0)
