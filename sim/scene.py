@@ -70,7 +70,7 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
     atmosphere = Atmosphere(config.weather, surroundings, cameras, seed)
     glows = glows_of(street.scenery) if atmosphere.in_channels else None
 
-    traffic = traffic_of(config.street.traffic, street.network, config.drive, route, seed)
+    traffic = traffic_of(config.street.traffic, street.network, street.scenery, config.drive, route, seed)
 
     def write_scenery(spec: mujoco.MjSpec) -> None:
         street.write_into(spec)

@@ -10,6 +10,7 @@ from estimator.se3 import Array
 from sim.streets.footprint import gap_m, rectangle_m
 from sim.streets.kinds import Ground, draw_network
 from sim.streets.network import driven_line_m
+from sim.streets.scenery import NOTHING
 from sim.traffic.config import TrafficConfig
 from sim.traffic.planned import traffic_of
 from sim.traffic.traffic import Traffic
@@ -56,7 +57,7 @@ def drive_through(kind: str, traffic: TrafficConfig, drive: DriveConfig, seed: i
     plan_rng, relief_rng = np.random.default_rng(seed).spawn(2)
     network = draw_network(kind, length_m, Ground(), plan_rng, relief_rng)
     route = route_along(driven_line_m(network.route, length_m), network.route.closed)
-    crowd = traffic_of(traffic, network, drive, route, seed)
+    crowd = traffic_of(traffic, network, NOTHING, drive, route, seed)
     driven = backwards_from(route, drive.distance_m) if drive.reverse else route
     return Drive(crowd, driven, plan_speed(drive, driven), drive.reverse)
 

@@ -14,6 +14,7 @@ from estimator.se3 import Array
 from sim.streets.network import Lane, Network
 from sim.streets.path import Path, path_through
 from sim.streets.road import ZEBRA_M, Road
+from sim.traffic.detour import obstacles_of, round_obstacles
 from sim.traffic.track import HALF_WIDTH_M, Track, track_along
 
 _PASSING_M = HALF_WIDTH_M["bike"] + 0.1  # from a car to the middle of a bicycle
@@ -48,11 +49,13 @@ def bike_tracks(network: Network) -> list[Track]:
     return [_beside_cars(lane, beside) for lane in bikes]
 
 
-def foot_tracks(network: Network) -> list[Track]:
-    """Pavements, and zebra crossings from door to door."""
+def foot_tracks(network: Network, standing_m: Sequence[Array] = ()) -> list[Track]:
+    """Pavements, round the outlines of what stands there, and zebra crossings from door to door."""
     lanes = [lane for lane in network.lanes if lane.kind == "foot"]
+    walks = round_obstacles([lane.path for lane in lanes], obstacles_of(standing_m, network.carriageway))
     crossings = [path for road in network.roads for zebra in road.zebras_m for path in _across(road, zebra)]
-    return [track_along("foot", lane.path, lane.speed_mps) for lane in lanes] + [
+    walked = zip(walks, lanes, strict=True)
+    return [track_along("foot", path, lane.speed_mps) for path, lane in walked] + [
         track_along("foot", path, _WALK_MPS) for path in crossings
     ]
 

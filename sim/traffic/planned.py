@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from sim.streets.network import Network
+from sim.streets.scenery import Scenery
 from sim.traffic.config import TrafficConfig
 from sim.traffic.traffic import NOBODY, Traffic, build_traffic
 from sim.vehicle.drive import DriveConfig
@@ -11,13 +12,19 @@ from sim.vehicle.route import Route, backwards_from
 
 
 def traffic_of(
-    config: TrafficConfig, network: Network, drive: DriveConfig, route: Route, seed: int
+    config: TrafficConfig,
+    network: Network,
+    standing: Scenery,
+    drive: DriveConfig,
+    route: Route,
+    seed: int,
 ) -> Traffic:
     """Draw the traffic around a drive.
 
     Args:
         config: How much of it.
         network: Of the street.
+        standing: What stands in it.
         drive: What is asked of the drive.
         route: What the car drives, in the direction of its lane.
         seed: Everything random follows from it.
@@ -32,4 +39,5 @@ def traffic_of(
         driven_m = plan.distance_m(time_s)
         return stretch * (drive.distance_m - driven_m if drive.reverse else driven_m)
 
-    return build_traffic(config, network, progress_m, drive.speed_mps, seed)
+    outlines_m = [prop.footprint_m for prop in standing.props if prop.footprint_m is not None]
+    return build_traffic(config, network, outlines_m, progress_m, drive.speed_mps, seed)

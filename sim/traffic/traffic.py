@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 import mujoco
 import numpy as np
 
+from estimator.se3 import Array
 from sim.seeds import rng_for
 from sim.streets.network import Network
 from sim.traffic.config import (
@@ -61,13 +62,19 @@ NOBODY = Traffic(())
 
 
 def build_traffic(
-    config: TrafficConfig, network: Network, progress_m: Progress, top_mps: float, seed: int
+    config: TrafficConfig,
+    network: Network,
+    standing_m: Sequence[Array],
+    progress_m: Progress,
+    top_mps: float,
+    seed: int,
 ) -> Traffic:
     """Draw the traffic of a street.
 
     Args:
         config: How much of it.
         network: Where it can be.
+        standing_m: Outlines on the ground of what pedestrians walk round, each (K, 2) in world xy.
         progress_m: s of the route at which the driven car means to be; it falls when driving backwards.
         top_mps: Its highest speed.
         seed: Everything random follows from it.
@@ -78,7 +85,7 @@ def build_traffic(
     platoon, own_lane = _own_lane(config, network, progress_m, top_mps, vehicles, seed)
     cars, driving = _cars(config, network, [platoon], vehicles, seed)
     bikes, riding = _cyclists(config, network, [platoon, cars], seed)
-    walking_about = _pedestrians(config, network, [platoon, cars, bikes], seed)
+    walking_about = _pedestrians(config, network, standing_m, [platoon, cars, bikes], seed)
     return Traffic([own_lane, driving, riding, walking_about])
 
 
@@ -158,8 +165,14 @@ def _cyclists(
     )
 
 
-def _pedestrians(config: TrafficConfig, network: Network, above: Sequence[Movers], seed: int) -> Troupe:
-    tracks = foot_tracks(network)
+def _pedestrians(
+    config: TrafficConfig,
+    network: Network,
+    standing_m: Sequence[Array],
+    above: Sequence[Movers],
+    seed: int,
+) -> Troupe:
+    tracks = foot_tracks(network, standing_m) if config.pedestrians else []
     models = walker_models(seed) if config.pedestrians else []
     entrants, chosen = _entrants(
         "pedestrians", tracks, PEDESTRIAN_SPACING_M, config.pedestrians, models, None, seed
