@@ -68,13 +68,14 @@ def build_scene(config: WorldConfig, nominal: Rig, seed: int) -> Scene:
     cameras = {name: mounted.camera for name, mounted in true_rig.cameras.items()}
     surroundings = surroundings_of(street.network, street.lamps)
     atmosphere = Atmosphere(config.weather, surroundings, cameras, seed)
-    glows = glows_of(street.scenery) if atmosphere.in_channels else None
-
     traffic = traffic_of(config.street.traffic, street.network, street.scenery, config.drive, route, seed)
 
     def write_scenery(spec: mujoco.MjSpec) -> None:
         street.write_into(spec)
         traffic.write_into(spec)
+
+    skins = [street.scenery.skins, *(model.skins for troupe in traffic.troupes for model in troupe.models)]
+    glows = glows_of(skins) if atmosphere.in_channels else None
 
     def write_light(spec: mujoco.MjSpec) -> None:
         write_outdoors(spec, config.weather, seed, glows)

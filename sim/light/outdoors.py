@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import mujoco
 
@@ -11,12 +11,17 @@ from sim.light.daylight import daylight_of, write_lights
 from sim.light.sky import write_sky
 from sim.light.weather import WeatherConfig
 from sim.seeds import rng_for
-from sim.streets.scenery import Scenery
+from sim.streets.scenery import Skin
 
 
-def glows_of(scenery: Scenery) -> dict[str, GlowImage]:
-    """Return what the skins of a scenery shed, by the name that their textures get."""
-    return {f"texture_{name}": skin.glow for name, skin in scenery.skins.items() if skin.glow is not None}
+def glows_of(skins: Iterable[Mapping[str, Skin]]) -> dict[str, GlowImage]:
+    """Return what skins shed, by the name that their textures get."""
+    return {
+        f"texture_{name}": skin.glow
+        for named in skins
+        for name, skin in named.items()
+        if skin.glow is not None
+    }
 
 
 def write_outdoors(

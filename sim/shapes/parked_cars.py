@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from estimator.se3 import Array
+from sim.paint.car_lamps import car_lamp_glow
 from sim.paint.cars import (
     BLACK_AT_M,
     FRONT_AT_M,
@@ -76,9 +77,10 @@ def car(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
 
 
 def body(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
-    """The same as ``car`` without wheels, for one that moves."""
+    """The same as ``car`` without wheels, for one that moves, with its lamps on at night."""
     profile = np.array(kind.profile_m)
-    skin = Skin(paint_car(profile, kind.belt_m, kind.axles_m, rng), specular=0.5)
+    image = paint_car(profile, kind.belt_m, kind.axles_m, rng)
+    skin = Skin(image, specular=0.5, glow=car_lamp_glow(image))
     whole = merged([_hull(kind), _underside(kind)])
     return whole.moved((-profile[-1, 0] / 2, 0.0, 0.0)), skin
 
