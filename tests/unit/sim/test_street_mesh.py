@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim.shapes.mesh import Mesh, box, disc, merged, tube
-from sim.shapes.parked_cars import KINDS, CarKind, car, outline_m
+from sim.shapes.parked_cars import KINDS, CarKind, car, outline_m, varied
 from sim.streets.footprint import Ground, gap_m, rectangle_m
 
 
@@ -47,6 +47,14 @@ def test_a_parked_car_looks_outwards_on_its_wheels(kind: CarKind) -> None:
     length, width = outline_m(kind)
     np.testing.assert_allclose(highest[:2] - lowest[:2], [length, width], atol=0.05)
     assert lowest[2] == pytest.approx(0.0)
+
+
+def test_makes_of_a_kind_differ_but_fit_their_bay() -> None:
+    made = [varied(kind, np.random.default_rng(k)) for k, kind in enumerate(KINDS * 4)]
+    assert len({make.profile_m for make in made}) == len(made)
+    assert max(outline_m(make)[0] for make in made) < 4.8
+    images = {car(make, np.random.default_rng(k))[1].image.tobytes() for k, make in enumerate(made)}
+    assert len(images) == len(made)
 
 
 def test_merging_keeps_every_triangle_where_it_was() -> None:
