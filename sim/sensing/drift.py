@@ -57,24 +57,25 @@ class Drift:
             cam_from_face: Where it looks.
             depth_m: (H, W) of the picture.
         """
+        moments = (self._before, self._now, self._after)
         face_from_world = [
-            (moment.world_from_cams[camera] @ cam_from_face).inverse().matrix
-            for moment in (self._before, self._now, self._after)
+            (moment.world_from_cams[camera] @ cam_from_face).inverse().matrix for moment in moments
         ]
         assert depth_m is not None, "the picture was taken without depth"
         inverse_depth = np.float32(1) / _front_depth(depth_m)
         everything = (slice(None), slice(None))
         rates = _rates(view.pinhole, everything, inverse_depth, _rate_matrix(face_from_world))
         for body in self._moving:
-            poses = [
-                face @ moment.world_from_bodies[body]
-                for face, moment in zip(face_from_world, (self._before, self._now, self._after), strict=True)
-            ]
-            window = self._boxes.window(int(body), poses[1], view.pinhole)
+            pose = face_from_world[1] @ self._now.world_from_bodies[body]
+            window = self._boxes.window(int(body), pose, view.pinhole)
             if window is None:
                 continue
-            inside = self._boxes.contains(int(body), poses[1], view.pinhole, window, inverse_depth[window])
+            inside = self._boxes.contains(int(body), pose, view.pinhole, window, inverse_depth[window])
             if inside.any():
+                poses = [
+                    face @ moment.world_from_bodies[body]
+                    for face, moment in zip(face_from_world, moments, strict=True)
+                ]
                 own = _rates(view.pinhole, window, inverse_depth[window], _rate_matrix(poses))
                 np.copyto(rates[window], own, where=inside[..., None])
         return rates
