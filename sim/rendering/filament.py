@@ -1,9 +1,8 @@
 """MuJoCo's physically based renderer (Filament on Vulkan): soft shadows, light from the whole sky, occlusion.
 
 It lives in one context of its own, made anew for every renderer: its dithering draws from a generator that
-starts with the context, so the same drive gives the same bytes whatever was rendered before. One renderer may
-be open in a process at a time. A broken Vulkan driver ends the process, so ``sim.rendering.choice`` tries it
-elsewhere first.
+starts with the context, so the same drive gives the same bytes whatever was rendered before. A broken Vulkan
+driver ends the process, so ``sim.rendering.choice`` tries it elsewhere first.
 """
 
 from __future__ import annotations
