@@ -22,7 +22,7 @@ from sim.light.fog import extinction_per_m, headlight_haze, lamp_haze, transmiss
 from sim.light.rain import Rain
 from sim.light.relight import Relight
 from sim.light.sprites import add_lamps
-from sim.light.surfaces import Floats, Surfaces, surfaces_of
+from sim.light.surfaces import Floats, Surfaces
 from sim.light.surroundings import Surroundings
 from sim.light.weather import WeatherConfig
 from sim.light.wet_lens import WetLens
@@ -82,7 +82,7 @@ class Atmosphere:
             level = self._daylight.level
             return grey(picture.rgb) if level == 1.0 else grey(picture.rgb) * np.float32(level)
         assert picture.depth_m is not None
-        surfaces = surfaces_of(view, picture.depth_m)
+        surfaces = Surfaces(view, picture.depth_m)
         daylight = self._relight.daylight(surfaces)
         wet = None if self._wet_road is None else self._wet_road.wetness(surfaces, daylight)
         light = self._lit(picture.rgb, surfaces, daylight, wet, view, instant)

@@ -17,7 +17,6 @@ from sim.light.headlights import hazy_beam, headlight_places_m
 from sim.light.lamps import LightSource
 from sim.light.surfaces import Floats, Surfaces
 from sim.light.weather import WeatherConfig, on_ladder
-from sim.rendering.view import FAR_M
 
 _CONTRAST_SEEN = 3.0  # optical thickness at the meteorological range: a contrast of 5 percent
 _LAYER_M, _HORIZON_M = 40.0, 400.0  # how thick fog lies over the ground, and how far it goes
@@ -36,11 +35,10 @@ def extinction_per_m(weather: WeatherConfig) -> float:
 def transmission(surfaces: Surfaces, per_m: float) -> Floats:
     """Return (H, W) share of light that arrives; that of the sky comes through a layer of fog."""
     distance = surfaces.depth_m * surfaces.stretch
-    # Over their own far depth the sky's samples rise as steeply as their rays do.
-    rise = (surfaces.points_m[2] - surfaces.eye_m[2]) / np.float32(FAR_M)
-    up = np.maximum(surfaces.enlarged(rise), 0) / surfaces.stretch
-    through_layer = np.float32(_LAYER_M) / (up + np.float32(_LAYER_M / _HORIZON_M))
-    return np.asarray(np.exp(-np.float32(per_m) * np.where(surfaces.sky, through_layer, distance)))
+    sky = surfaces.sky
+    up = np.maximum(surfaces.rise[sky], 0) / surfaces.stretch[sky]
+    distance[sky] = np.float32(_LAYER_M) / (up + np.float32(_LAYER_M / _HORIZON_M))
+    return np.asarray(cv2.exp(distance * np.float32(-per_m)))
 
 
 def lamp_haze(sources: Sequence[LightSource], surfaces: Surfaces, per_m: float) -> Floats:

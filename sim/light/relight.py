@@ -82,15 +82,20 @@ class Relight:
         wet: Floats | None,
     ) -> Floats:
         """Return the (H, W) picture in levels; ``wet`` is the (h, w) share of albedo that is left."""
-        share = np.ones_like(lamplight) if daylight is None else daylight
-        by_day = np.float32(self._daylight) * share
-        lamplight = lamplight + np.float32(self._bounced) * (1 - share)
-        if wet is not None:
-            by_day, lamplight = by_day * wet, lamplight * wet
-        sky = surfaces.sky
-        day = channels.day * np.where(sky, np.float32(self._daylight), surfaces.enlarged(by_day))
-        lit = day + channels.albedo * surfaces.enlarged(lamplight)
-        return np.asarray(lit + channels.glow * np.where(sky, np.float32(1), np.float32(self.glow)))
+        level = np.float32(self._daylight)
+        by_day: Floats | np.float32 = level
+        if daylight is not None:
+            lamplight = lamplight + np.float32(self._bounced) * (1 - daylight)
+        if daylight is not None or wet is not None:
+            left = np.ones_like(lamplight) if wet is None else wet
+            reaching = np.asarray(level * left if daylight is None else level * left * daylight, np.float32)
+            by_day, lamplight = surfaces.enlarged(reaching), lamplight * left
+            by_day[surfaces.sky] = level
+        lit = channels.day * by_day + channels.albedo * surfaces.enlarged(lamplight)
+        glow = channels.glow
+        if self.glow < 1:
+            glow = glow * np.where(surfaces.sky, np.float32(1), np.float32(self.glow))
+        return np.asarray(lit + glow)
 
 
 def dimmed(lamp: LightSource, factor: float) -> LightSource:

@@ -23,59 +23,82 @@ _BEND = 3e-4  # of 1/depth between neighbours, 1/m, that makes an edge or a crea
 
 @dataclass(frozen=True, eq=False)
 class Surfaces:
-    """Geometry of one view.
+    """Geometry of one view; what costs is worked out when it is asked for.
 
     Attributes:
+        view: The view.
         depth_m: (H, W) along the optical axis.
-        sky: (H, W) where nothing is.
-        stretch: (H, W) distance along the ray over depth.
-        points_m: (3, h, w) world positions of every third pixel of every third row.
-        normals: (3, h, w) unit world normals that face the camera.
-        slopes: (2, h, w) how 1/depth grows by a pixel to the right and down: constant on planes.
-        eye_m: (3,) world position of the camera.
     """
 
+    view: View
     depth_m: DepthImage
-    sky: npt.NDArray[np.bool_]
-    stretch: Floats
-    points_m: Floats
-    normals: Floats
-    slopes: Floats
-    eye_m: Floats
+
+    @property
+    def eye_m(self) -> Floats:
+        """(3,) world position of the camera."""
+        return self.view.world_from_cam.translation.astype(np.float32)
+
+    @property
+    def stretch(self) -> Floats:
+        """(H, W) distance along the ray over depth."""
+        return _plane(self.view.pinhole)[2]
+
+    @cached_property
+    def sky(self) -> npt.NDArray[np.bool_]:
+        """(H, W) where nothing is."""
+        return np.asarray(self.depth_m > FAR_M * 0.999)
+
+    @property
+    def rise(self) -> Floats:
+        """(H, W) how much a ray rises for each metre of its depth."""
+        x, y, _ = _plane(self.view.pinhole)
+        by_x, by_y, ahead = self.view.world_from_cam.rotation[2].astype(np.float32)
+        return np.asarray(by_x * x[None, :] + (by_y * y + ahead)[:, None])
+
+    @cached_property
+    def points_m(self) -> Floats:
+        """(3, h, w) world positions of every third pixel of every third row."""
+        x, y, _ = _plane(self.view.pinhole)
+        depth = self.depth_m[::STEP, ::STEP]
+        points_cam = np.stack([x[::STEP] * depth, y[::STEP, None] * depth, depth])
+        return np.asarray(self._turned(points_cam) + self.eye_m[:, None, None])
+
+    @cached_property
+    def normals(self) -> Floats:
+        """(3, h, w) unit world normals that face the camera."""
+        x, y, _ = _plane(self.view.pinhole)
+        here = self._nearness[::STEP, ::STEP]
+        return self._turned(_normals(here, self._slopes, x[::STEP], y[::STEP, None], self.view.pinhole))
 
     def enlarged(self, coarse: Floats) -> Floats:
-        """Return (H, W) of what is known at (h, w); at edges from the sample nearest in depth."""
+        """Return (H, W) of what is known at (h, w); at edges from the sample on the same plane."""
         height, width = self.depth_m.shape
         shift = np.array([[STEP, 0, 0], [0, STEP, 0]], np.float32)
         full = cv2.warpAffine(
             coarse, shift, (width, height), flags=cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE
         )
         index, low = self._edges
-        full.ravel()[index] = coarse.ravel()[low]
+        full.ravel()[index] = coarse.ravel().take(low)
         return np.asarray(full)
 
+    def _turned(self, vectors_cam: Floats) -> Floats:
+        turn = self.view.world_from_cam.rotation.astype(np.float32)
+        return np.asarray((turn @ vectors_cam.reshape(3, -1)).reshape(vectors_cam.shape))
+
     @cached_property
-    def _edges(self) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+    def _nearness(self) -> Floats:
+        return np.asarray(1 / self.depth_m, np.float32)
+
+    @cached_property
+    def _slopes(self) -> Floats:
+        """(2, h, w) how 1/depth grows by a pixel to the right and down: constant on planes."""
+        here = self._nearness[::STEP, ::STEP]
+        return np.stack([_slope(self._nearness, here, 1), _slope(self._nearness, here, 0)])
+
+    @cached_property
+    def _edges(self) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.int32]]:
         """Flat indices of pixels at edges, and of the sample to take there."""
-        return _edge_samples(self.depth_m, self.slopes)
-
-
-def surfaces_of(view: View, depth_m: DepthImage) -> Surfaces:
-    """Reconstruct the surfaces of a view from its depth."""
-    plane_x, plane_y, stretch = _plane(view.pinhole)
-    depth = depth_m[::STEP, ::STEP]
-    x, y = plane_x[::STEP], plane_y[::STEP, None]
-    points_cam = np.stack([x * depth, y * depth, depth])
-    nearness = np.asarray(1 / depth_m, np.float32)
-    here = nearness[::STEP, ::STEP]
-    slopes = np.stack([_slope(nearness, here, 1), _slope(nearness, here, 0)])
-    normals_cam = _normals(here, slopes, x, y, view.pinhole)
-    turn = view.world_from_cam.rotation.astype(np.float32)
-    eye = view.world_from_cam.translation.astype(np.float32)
-    shape = points_cam.shape
-    points = (turn @ points_cam.reshape(3, -1)).reshape(shape) + eye[:, None, None]
-    normals = (turn @ normals_cam.reshape(3, -1)).reshape(shape)
-    return Surfaces(depth_m, depth_m > FAR_M * 0.999, stretch, points, normals, slopes, eye)
+        return _edge_samples(self._nearness, self._slopes)
 
 
 @lru_cache(maxsize=128)
@@ -116,25 +139,29 @@ def _slope(nearness: Floats, here: Floats, axis: int) -> Floats:
     return np.where(np.abs(after) < np.abs(before), after, before)
 
 
-def _edge_samples(depth_m: DepthImage, slopes: Floats) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
+def _edge_samples(nearness: Floats, slopes: Floats) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.int32]]:
     """Return flat indices of pixels at edges, and of the sample around each whose plane it lies on best."""
-    width = depth_m.shape[1]
-    nearness = np.asarray(1 / depth_m, np.float32)
+    width = nearness.shape[1]
     bend = cv2.absdiff(cv2.Laplacian(nearness, cv2.CV_32F, ksize=1), 0)
     edge = cv2.dilate(cv2.compare(bend, _BEND, cv2.CMP_GT), np.ones((2 * STEP - 1,) * 2, np.uint8))
     index = np.flatnonzero(edge)
-    row, column = np.divmod(index.astype(np.int32), np.int32(width))
     rows, columns = slopes.shape[1:]
-    here, coarse = nearness.ravel()[index], nearness[::STEP, ::STEP].ravel()
+    row, column = np.divmod(index.astype(np.int32), np.int32(width))
+    high_row, right_column = row // STEP, column // STEP
+    here, coarse = nearness.ravel().take(index), nearness[::STEP, ::STEP].ravel()
     right, down = slopes.reshape(2, -1)
     best, best_gap = np.zeros_like(row), np.full(len(index), np.inf, np.float32)
     for below in (0, 1):
+        low_row = np.minimum(high_row + np.int32(below), np.int32(rows - 1))
+        offset_down = (row - STEP * low_row).astype(np.float32)
         for beside in (0, 1):
-            low_row = np.minimum(row // STEP + below, rows - 1)
-            low_column = np.minimum(column // STEP + beside, columns - 1)
+            low_column = np.minimum(right_column + np.int32(beside), np.int32(columns - 1))
             sample = low_row * np.int32(columns) + low_column
-            ahead = right[sample] * (column - STEP * low_column) + down[sample] * (row - STEP * low_row)
-            gap = np.abs(coarse[sample] + ahead - here)
+            gap = coarse.take(sample) - here
+            gap += right.take(sample) * (column - STEP * low_column).astype(np.float32)
+            gap += down.take(sample) * offset_down
+            np.abs(gap, out=gap)
             nearer = gap < best_gap
-            best[nearer], best_gap[nearer] = sample[nearer], gap[nearer]
+            np.copyto(best, sample, where=nearer)
+            np.copyto(best_gap, gap, where=nearer)
     return index, best

@@ -6,7 +6,7 @@ from estimator.camera import Camera
 from estimator.se3 import SE3
 from sim.light.fog import extinction_per_m, headlight_haze, lamp_haze, transmission
 from sim.light.lamps import LightSource
-from sim.light.surfaces import Surfaces, surfaces_of
+from sim.light.surfaces import Surfaces
 from sim.light.tunnels import CoveredRoad, TunnelShade
 from sim.light.weather import WeatherConfig
 from sim.rendering.view import View
@@ -16,7 +16,7 @@ AHEAD = SE3(np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]]), np.array([0.0, 0.0,
 
 
 def facing_wall(depth_m: float) -> Surfaces:
-    return surfaces_of(View(PINHOLE, AHEAD), np.full((41, 61), depth_m, np.float32))
+    return Surfaces(View(PINHOLE, AHEAD), np.full((41, 61), depth_m, np.float32))
 
 
 def test_light_is_lost_by_distance_along_the_ray_not_by_depth() -> None:

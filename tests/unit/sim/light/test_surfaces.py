@@ -4,7 +4,7 @@ import numpy as np
 
 from estimator.camera import Camera
 from estimator.se3 import SE3
-from sim.light.surfaces import STEP, Surfaces, surfaces_of
+from sim.light.surfaces import STEP, Surfaces
 from sim.rendering.view import FAR_M, View
 
 PINHOLE = Camera("pinhole", (64, 40), (45.0, 46.0), (30.0, 21.0))
@@ -22,7 +22,7 @@ def plane(normal_cam: np.ndarray, distance_m: float) -> np.ndarray:
 
 
 def of(depth_m: np.ndarray) -> Surfaces:
-    return surfaces_of(View(PINHOLE, POSE), depth_m)
+    return Surfaces(View(PINHOLE, POSE), depth_m)
 
 
 def test_points_and_normals_of_a_plane_are_exact() -> None:
