@@ -34,6 +34,11 @@ class Ground:
     def __init__(self, taken_m: list[Array]) -> None:
         self._taken = [(p, p.mean(axis=0), np.linalg.norm(p - p.mean(axis=0), axis=1).max()) for p in taken_m]
 
+    @property
+    def taken_m(self) -> list[Array]:
+        """Every outline that stands there or is kept free."""
+        return [outline for outline, _, _ in self._taken]
+
     def claim(self, outline_m: Array, clearance_m: float) -> bool:
         """Take the ground under an outline unless something stands there already."""
         center = outline_m.mean(axis=0)

@@ -61,7 +61,7 @@ def furnish(
     car_skins, models = draw_cars(cars)
     parked = Site("parked", Ground([]), network.relief, driven_m)
     park(parked, network.bays, models, parking, bays)
-    street = Site("street", _without_bays(network, built), network.relief, driven_m)
+    street = Site("street", _without_bays(network, behind.ground.taken_m), network.relief, driven_m)
     lamps = _furnish_kerbs(street, network, catalogue, Greenery(catalogue, vegetation, trees), things)
     lamps += furnish_islands(street, network, Greenery(catalogue, vegetation, middles))
     sides = line_motorways(street, network, Greenery(catalogue, vegetation, verges), barriers)
