@@ -21,6 +21,7 @@ class FrontEndConfig(Config):
     odometry: OdometryConfig = OdometryConfig()
     lost_after: int = 3
     restart_below: float = 0.5
+    least_step_m: float = 0.02
 
 
 class FrontEnd:
@@ -32,6 +33,7 @@ class FrontEnd:
         self.odometry = Odometry(rig[rig.reference], config.odometry)
         self.trackers = {name: Tracker(m.camera, config.tracker) for name, m in rig.cameras.items()}
         self._bundle: FrameBundle | None = None
+        self._last_images: dict[str, Image] = {}
         self._started_with = 0
 
     @property
@@ -42,7 +44,7 @@ class FrontEnd:
     def advance(self, bundle: FrameBundle, stopwatch: Stopwatch) -> bool:
         """Follow all tracks into a bundle; say whether this is a new start: the place motion counts from."""
         before = self.odometry.world_from_ego
-        self._bundle = bundle
+        self._bundle = self._without_repeats(bundle)
         with stopwatch.stage("track"):
             self._follow(self.rig.reference, before, self.odometry.predicted_world_from_ego)
         with stopwatch.stage("motion"):
@@ -73,6 +75,22 @@ class FrontEnd:
             tracker.move_world(new_from_old, scale, origin)
         self.odometry.correct(new_from_old @ pose, scale)
         self.rig = rig
+
+    def _without_repeats(self, bundle: FrameBundle) -> FrameBundle:
+        """Leave out images that a moving car cannot have seen: the camera's last one once more, to the byte.
+
+        They come from a camera that hangs; taken for the world, they show landmarks at infinity.
+        """
+        repeats = {
+            name
+            for name, image in bundle.images.items()
+            if name in self._last_images and np.array_equal(image, self._last_images[name])
+        }
+        self._last_images |= bundle.images
+        if not repeats or self.odometry.step_m < self.config.least_step_m:
+            return bundle
+        images = {name: image for name, image in bundle.images.items() if name not in repeats}
+        return FrameBundle(bundle.stamp_ns, images)
 
     def _follow(self, name: str, world_from_ego_before: SE3, world_from_ego: SE3) -> None:
         assert self._bundle is not None
