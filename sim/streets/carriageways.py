@@ -6,7 +6,8 @@ import numpy as np
 from shapely import contains_xy
 
 from estimator.se3 import Array
-from sim.paint.markings import paint_road, paint_teeth, pave_edge
+from sim.paint.markings import paint_road
+from sim.paint.mouths import paint_teeth, pave_edge
 from sim.paint.road import RoadCanvas, asphalt
 from sim.streets.drape import area, band
 from sim.streets.network import Junction, Network

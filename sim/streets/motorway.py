@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from sim.streets.network import Lane, car_lanes
+from sim.streets.lane_rules import car_lanes
+from sim.streets.network import Lane
 from sim.streets.path import STEP_M, Path, bend_curvature, bend_length_m, path_from_curvature
 from sim.streets.plan import Plan
 from sim.streets.road import Road, Strip

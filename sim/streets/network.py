@@ -5,7 +5,6 @@ Traffic keeps right. Roads and kerbs carry street coordinates; ``sim.streets.rel
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -17,9 +16,6 @@ from sim.streets.kerb import KerbLine
 from sim.streets.path import Path
 from sim.streets.relief import Relief
 from sim.streets.road import Road
-
-KERB_WALK_M = 1.3  # from the kerb, where people walk
-BIKE_M = 0.8  # from the kerb, where bicycles ride
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,51 +132,3 @@ def driven_line_m(route: Path, length_m: float) -> Array:
     if route.closed:
         return route.point_m(np.linspace(0.0, route.length_m, round(route.length_m / 0.25) + 1))
     return route.point_m(np.arange(0.0, min(length_m + 20.0, route.end_m), 0.25))
-
-
-def foot_lanes(kerbs: Sequence[KerbLine]) -> list[Lane]:
-    """People walk both ways on every pavement that has room for them."""
-    lanes = []
-    for kerb in kerbs:
-        if kerb.lining in ("houses", "bare") and kerb.pavement_m > 1.8:
-            for d, backwards in ((KERB_WALK_M, False), (min(2.0, kerb.pavement_m - 0.4), True)):
-                lanes.append(Lane("foot", kerb.path.offset(d, backwards=backwards), 1.4))
-    return lanes
-
-
-def bike_lanes(road: Road, speed_mps: float = 4.5) -> list[Lane]:
-    """Bicycles keep to the right of the outermost lane of each direction."""
-    lanes = []
-    for forward in (True, False):
-        strips = [strip for strip in road.strips if strip.forward == forward]
-        if strips:
-            side = -1 if forward else 1
-            outer = max(strips, key=lambda strip: side * strip.d_m)
-            d = outer.d_m + side * (outer.width_m / 2 - BIKE_M)
-            lanes.append(Lane("bike", road.path.offset(d, backwards=not forward), speed_mps))
-    return lanes
-
-
-def car_lanes(road: Road, speed_mps: float, route_d_m: float | None = None) -> list[Lane]:
-    """One lane a strip, from end to end of the road's path; ``route_d_m`` marks the driven one."""
-    return [
-        Lane(
-            "car",
-            road.path.offset(strip.d_m, backwards=not strip.forward),
-            speed_mps,
-            is_route=strip.forward and route_d_m is not None and abs(strip.d_m - route_d_m) < 1e-6,
-        )
-        for strip in road.strips
-    ]
-
-
-def road_bays(road: Road) -> list[Bay]:
-    """The bays along the kerbs of a road; cars point along their side's traffic."""
-    bays = []
-    for side in road.parking:
-        for s in road.bays_m(side):
-            middle = s + 2.8
-            x, y = road.path.point_m(middle, road.edge_m(side) - side * 1.08)
-            yaw = float(road.path.heading_rad(middle)) + (np.pi if side > 0 else 0.0)
-            bays.append(Bay((float(x), float(y)), yaw))
-    return bays

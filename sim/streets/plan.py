@@ -9,7 +9,8 @@ import numpy as np
 from sim.streets.bumps import place_bumps
 from sim.streets.junctions import Joint, join
 from sim.streets.kerb import kerb_lines, walled
-from sim.streets.network import Bay, Lane, Network, Tunnel, bike_lanes, foot_lanes, road_bays
+from sim.streets.lane_rules import bike_lanes, foot_lanes, road_bays
+from sim.streets.network import Bay, Lane, Network, Tunnel
 from sim.streets.path import Path
 from sim.streets.relief import Relief, Waves
 from sim.streets.road import Road
@@ -50,7 +51,10 @@ def network_of(
     kerbs = kerb_lines(carriageway, roads, plan.corner_m)
     for tunnel in plan.tunnels:
         kerbs = walled(kerbs, next(road for road in roads if road.name == tunnel.road), tunnel.span_m)
-    bikes = [lane for road in roads if road.style in ("street", "minor") for lane in bike_lanes(road)]
+    ridden = [road for road in roads if road.style in ("street", "minor")]
+    begun = {joint.arm for joint in plan.joints}
+    arms = [road for road in ridden if road.name in begun]
+    bikes = bike_lanes([road for road in ridden if road.name not in begun], arms, plan.lanes)
     lanes = (*plan.lanes, *bikes, *foot_lanes(kerbs))
     bays = (*plan.bays, *(bay for road in roads for bay in road_bays(road)))
     return Network(roads, junctions, kerbs, lanes, bays, plan.route, carriageway, relief, plan.tunnels)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from sim.streets.junctions import Joint
-from sim.streets.network import Tunnel, car_lanes
+from sim.streets.lane_rules import car_lanes
+from sim.streets.network import Tunnel
 from sim.streets.path import STEP_M, Path, bend_curvature, bend_length_m, path_from_curvature
 from sim.streets.plan import Plan
 from sim.streets.road import LANE_M, PARKING_M, Road, Strip

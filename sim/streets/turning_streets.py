@@ -8,7 +8,8 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.streets.junctions import Joint
-from sim.streets.network import Lane, car_lanes
+from sim.streets.lane_rules import car_lanes
+from sim.streets.network import Lane
 from sim.streets.path import Path, straight_path
 from sim.streets.plan import Plan
 from sim.streets.road import LANE_M, PARKING_M, Road, Strip

@@ -131,3 +131,14 @@ def test_every_arm_has_its_own_give_way_line() -> None:
         assert len(middles) == arms
         for junction, middle in zip(network.junctions, middles, strict=True):
             assert junction.outline.buffer(0.5).contains(Point(middle))
+
+
+@pytest.mark.parametrize("kind", ["bend", "crossroads", "t_junction", "roundabout", "loop"])
+def test_bicycles_neither_appear_nor_vanish_in_the_middle_of_a_junction(kind: str) -> None:
+    network = draw(kind)
+    middles = unary_union([junction.outline.buffer(2.0) for junction in network.junctions])
+    bikes = [lane for lane in network.lanes if lane.kind == "bike" and not lane.closed]
+    assert bikes
+    for lane in bikes:
+        for end in (lane.path.points_m[0], lane.path.points_m[-1]):
+            assert not middles.contains(Point(end))
