@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from sim.streets.network import Network
 from sim.streets.scenery import Scenery
+from sim.traffic.casting import build_traffic
 from sim.traffic.config import TrafficConfig
-from sim.traffic.traffic import NOBODY, Traffic, build_traffic
+from sim.traffic.traffic import NOBODY, Traffic
 from sim.vehicle.drive import DriveConfig
 from sim.vehicle.plan import plan_speed
 from sim.vehicle.route import Route, backwards_from
