@@ -10,7 +10,7 @@ from sim.light.surfaces import Floats
 
 _PLACES_EGO_M = ((3.38, 0.58, 0.66), (3.38, -0.58, 0.66))
 _TAILS_EGO_M = ((-1.02, 0.62, 0.75), (-1.02, -0.62, 0.75))
-_PEAK = 25.0  # illuminance at one metre, as in LightSource
+_PEAK = 14.0  # illuminance at one metre, as in LightSource
 _TAIL = 0.04
 _DIP = 0.012  # tangent by which the cut-off lies under the horizon
 _CUT_OFF = 0.012  # tangent over which it fades
