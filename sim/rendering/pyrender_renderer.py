@@ -92,6 +92,9 @@ class PyrenderRenderer:
         platform = self._canvas._platform
         platform.make_current()
         self._pipeline.delete()
+        self._pipeline._shadow_fb = None  # or its number is freed again later, in another context
+        nothing = EGL.EGL_NO_SURFACE
+        EGL.eglMakeCurrent(platform._egl_display, nothing, nothing, EGL.EGL_NO_CONTEXT)
         EGL.eglDestroyContext(platform._egl_display, platform._egl_context)
         platform._egl_context = platform._egl_display = None
         self._canvas._platform = self._canvas._renderer = None

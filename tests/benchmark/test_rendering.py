@@ -6,7 +6,7 @@ CPU seconds of this process, for wall time depends on who else works on the mach
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import get_args
 
 import mujoco
@@ -40,7 +40,7 @@ def scene(request: pytest.FixtureRequest, scenario: Scenario) -> tuple[Quality, 
 
 
 @pytest.fixture(scope="module")
-def bare_s(scene: tuple[Quality, Scene], scenario: Scenario) -> Iterator[float]:
+def bare_s(scene: tuple[Quality, Scene], scenario: Scenario) -> float:
     """CPU seconds a bundle of seven 640 x 400 images of MuJoCo's own renderer in a plain loop."""
     model = scene[1].model
     with mujoco.Renderer(model, 400, 640, max_geom=20_000) as renderer:
@@ -50,7 +50,7 @@ def bare_s(scene: tuple[Quality, Scene], scenario: Scenario) -> Iterator[float]:
                 renderer.update_scene(data, name)
                 renderer.render()
 
-        yield _seconds_a_bundle(scene[1], scenario, draw)
+        return _seconds_a_bundle(scene[1], scenario, draw)
 
 
 @pytest.mark.parametrize("name", RENDERER_NAMES)

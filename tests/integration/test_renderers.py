@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import hashlib
 import subprocess
 import sys
@@ -104,6 +105,22 @@ def test_pictures_depend_neither_on_the_process_nor_on_what_was_drawn_before(nam
         check=True,
     )
     assert answer.stdout.split() == [here]
+
+
+@pytest.mark.parametrize("name", RENDERER_NAMES)
+def test_a_renderer_comes_and_goes_beside_others(name: RendererName) -> None:
+    model = box_world()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    with mujoco.Renderer(model, 160, 240) as plain, open_renderer("classic", model) as classic:
+        before = classic.render(data, VIEWS)["left"].rgb
+        plain.update_scene(data)
+        plain_before = plain.render()
+        draw(name, model, VIEWS, depth=True)
+        gc.collect()
+        assert np.array_equal(classic.render(data, VIEWS)["left"].rgb, before)
+        plain.update_scene(data)
+        assert np.array_equal(plain.render(), plain_before)
 
 
 @pytest.mark.parametrize("name", RENDERER_NAMES)
