@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from itertools import islice
 
@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 
 from estimator.bundle import Image
+from estimator.errors import InputError
 from estimator.rig import Rig
 from eval.mosaic import rows_of
 from scenarios.load import load_scenario
@@ -39,7 +40,10 @@ class Glimpse:
 
 
 def take_glimpse(name: str) -> Glimpse:
-    """Drive a scenario, seed 0, up to its telling instant, with few pictures on the way."""
+    """Drive a scenario, seed 0, up to its telling instant, with few pictures on the way.
+
+    Where this machine lacks the scenario's renderer there is nothing to see.
+    """
     from sim.simulate import simulate  # loads the graphics library
 
     scenario = load_scenario(name)
@@ -47,7 +51,7 @@ def take_glimpse(name: str) -> Glimpse:
     world = scenario.world.model_copy(update={"drive": drive})
     count = min(drive.bundle_count, 1 + round(_telling_s(scenario) * _RATE_HZ))
     seen: Mapping[str, Image] = {}
-    with closing(simulate(world, scenario.rig, 0)) as snapshots:
+    with closing(simulate(world, scenario.rig, 0)) as snapshots, suppress(InputError):
         for snapshot in islice(snapshots, count):
             seen = snapshot.bundle.images
     cameras = telling_cameras(scenario.rig)

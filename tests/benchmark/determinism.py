@@ -18,6 +18,7 @@ from itertools import islice
 
 from scenarios.bundled import bundled_names
 from scenarios.load import load_scenario
+from sim.rendering.choice import probe
 
 
 def digest_of(job: tuple[str, int]) -> str:
@@ -46,11 +47,21 @@ def digests(names: Sequence[str], count: int, workers: int, drives_a_process: in
         return pool.map(digest_of, jobs, chunksize=1)
 
 
+def can_be_drawn(name: str) -> bool:
+    """Tell whether this machine has a scenario's renderer, and say so where it has not."""
+    renderer = load_scenario(name).world.renderer
+    problem = probe(renderer).problem
+    if problem:
+        print(f"{name:<28} left out, no {renderer} here: {problem}")
+    return not problem
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("scenarios", nargs="*", default=list(bundled_names("scenario")))
     parser.add_argument("--bundles", type=int, default=10)
     arguments = parser.parse_args()
+    arguments.scenarios = [name for name in arguments.scenarios if can_be_drawn(name)]
     started_s = time.monotonic()
     in_turn = digests(arguments.scenarios, arguments.bundles, 1, None)
     apart = digests(arguments.scenarios, arguments.bundles, 2, 1)

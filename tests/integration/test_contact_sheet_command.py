@@ -1,12 +1,16 @@
 """``rigtrue list scenarios --contact-sheet``: a picture of real glimpses, or one line why not."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import cv2
 import pytest
 
+from estimator.errors import InputError
 from eval.console import QuietConsole
 from eval.contact_sheet import write_contact_sheet
+from eval.glimpse import take_glimpse
+from sim.world import Snapshot
 from tests.integration.conftest import Command
 
 
@@ -15,6 +19,18 @@ def test_a_sheet_shows_rendered_images(tiny: str, tmp_path: Path) -> None:
     sheet = cv2.imread(str(tmp_path / "sheet.png"))
     assert sheet is not None and sheet[22:242, 22:374].std() > 15
     assert [path.name for path in tmp_path.iterdir()] == ["sheet.png"]
+
+
+def test_what_this_machine_cannot_draw_is_an_empty_glimpse(
+    tiny: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def lack_a_renderer(*_: object) -> Iterator[Snapshot]:
+        raise InputError("no such renderer here")
+        yield
+
+    monkeypatch.setattr("sim.simulate.simulate", lack_a_renderer)
+    glimpse = take_glimpse(tiny)
+    assert glimpse.images == {} and glimpse.about.startswith("Three bundles")
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,8 @@ from concurrent.futures import Future, ProcessPoolExecutor
 
 import pytest
 
+from scenarios.load import load_scenario
+from sim.rendering.choice import probe
 from sim.world import Snapshot
 from tests.scenarios.first_bundles import first_bundles, same_pictures
 
@@ -17,7 +19,7 @@ FirstBundles = Callable[[str], list[Snapshot]]
 
 @pytest.fixture(scope="session")
 def bundles_of(request: pytest.FixtureRequest) -> Iterator[FirstBundles]:
-    """Return a scenario's first bundles; what failed there is raised here."""
+    """Return a scenario's first bundles; what failed there is raised here, what cannot be drawn skipped."""
     names = [
         item.callspec.params["name"]
         for item in request.session.items
@@ -30,5 +32,12 @@ def bundles_of(request: pytest.FixtureRequest) -> Iterator[FirstBundles]:
         results: dict[str, Future[dict[str, list[Snapshot]]]] = {}
         for group in same_pictures(dict.fromkeys(names)):
             results |= dict.fromkeys(group, pool.submit(first_bundles, group))
-        yield lambda name: results[name].result()[name]
+
+        def bundles(name: str) -> list[Snapshot]:
+            renderer = load_scenario(name).world.renderer
+            if probe(renderer).problem:
+                pytest.skip(f"this machine has no {renderer}: {probe(renderer).problem}")
+            return results[name].result()[name]
+
+        yield bundles
         pool.shutdown(cancel_futures=True)
