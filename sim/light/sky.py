@@ -36,6 +36,9 @@ def write_sky(
     if in_channels:
         grey = faces @ np.array([0.299, 0.587, 0.114])
         glow = stored_glow(night_glow(rays, clouds) * night)
+        glow = glow + night * rng.uniform(
+            -0.5, 0.5, glow.shape
+        )  # else it ends in steps that long exposures show
         faces = np.stack([grey, glow, np.zeros_like(grey)], axis=-1)
     texture = spec.add_texture(
         name="sky",
