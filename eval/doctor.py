@@ -37,7 +37,7 @@ class Check:
 
     @property
     def verdict(self) -> str:
-        return "ok" if self.ok else "none" if self.optional else "BAD"
+        return "ok" if self.ok else "no" if self.optional else "BAD"
 
 
 def diagnose() -> list[Check]:
