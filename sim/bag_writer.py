@@ -44,9 +44,10 @@ class BagWriter:
         self._writer = Writer(path, version=9, storage_plugin=StoragePlugin.MCAP)
         self._writer.set_compression(CompressionMode.STORAGE, CompressionFormat.ZSTD)
         self._writer.open()
+        more = {} if inertial is None else INERTIAL_TOPICS
         self._connections = {
             topic: self._writer.add_connection(topic, message_type, typestore=TYPES)
-            for topic, message_type in (*_topics(rig), *({} if inertial is None else INERTIAL_TOPICS).items())
+            for topic, message_type in (*_topics(rig), *more.items(), *channel_topics(rig.cameras, truth))
         }
 
     def write(self, snapshot: Snapshot) -> None:
