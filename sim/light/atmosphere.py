@@ -24,6 +24,7 @@ from sim.light.relight import Relight
 from sim.light.sprites import add_lamps
 from sim.light.surfaces import Floats, Surfaces
 from sim.light.surroundings import Surroundings
+from sim.light.tunnels import TunnelShade
 from sim.light.weather import WeatherConfig
 from sim.light.wet_lens import WetLens
 from sim.light.wet_road import WetRoad
@@ -32,6 +33,7 @@ from sim.seeds import rng_for
 
 _LUMA = np.array([[0.299, 0.587, 0.114]], np.float32)  # ITU-R BT.601
 _AIR_LEVEL = 205.0  # of thick fog by day
+_RAIN_COMES_IN_M = 3.0  # into a tunnel, carried by wind and wheels
 _TOWN_AIR = 0.5  # levels of thick fog by night, between lamps
 
 
@@ -61,7 +63,8 @@ class Atmosphere:
         self._extinction_per_m = extinction_per_m(weather)
         self._relight = Relight(weather, surroundings.lamps, surroundings.tunnel_lamps, surroundings.tunnels)
         raining = weather.rain > 0
-        self._rain = Rain(weather.rain, rng_for(seed, "weather.rain")) if raining else None
+        self._shelter = TunnelShade(surroundings.tunnels, _RAIN_COMES_IN_M) if raining else None
+        self._rain = Rain(weather.rain, rng_for(seed, "weather.rain"), self._shelter) if raining else None
         self._wet_road = WetRoad(weather.rain, rng_for(seed, "weather.puddles")) if raining else None
         self._flare = Flare(weather.flare, self._daylight.sun) if weather.flare > 0 else None
         self._wet_lenses = {
@@ -84,7 +87,9 @@ class Atmosphere:
         assert picture.depth_m is not None
         surfaces = Surfaces(view, picture.depth_m)
         daylight = self._relight.daylight(surfaces)
-        wet = None if self._wet_road is None else self._wet_road.wetness(surfaces, daylight)
+        wet = None
+        if self._wet_road is not None and self._shelter is not None:
+            wet = self._wet_road.wetness(surfaces, self._shelter.daylight(surfaces.points_m))
         light = self._lit(picture.rgb, surfaces, daylight, wet, view, instant)
         if self._wet_road is not None and wet is not None:
             strength, mirrored = self._wet_road.mirror(light, wet, surfaces, view)

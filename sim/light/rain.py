@@ -12,6 +12,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.light.surfaces import Floats
+from sim.light.tunnels import TunnelShade
 from sim.light.weather import on_ladder
 from sim.rendering.view import DepthImage, View
 
@@ -21,13 +22,15 @@ _NEAR_M, _FAR_M = 0.5, 6.0
 _DENSITY = (0.0, 0.7, 1.4, 2.6, 4.2, 6.5)  # drops large enough to be seen, a cubic metre
 _WIND_MPS = np.array([0.9, 0.6])
 _SUBPIXEL_BITS = 4
+_FALLS_IN = 0.3  # share of a drop's sky that must be free
 _FAINT = 0.75  # opacity of a streak one pixel wide
 
 
 class Rain:
     """The drops of one world."""
 
-    def __init__(self, rain: float, rng: np.random.Generator) -> None:
+    def __init__(self, rain: float, rng: np.random.Generator, shelter: TunnelShade | None = None) -> None:
+        """``shelter`` says how much of the rain gets to a place; None where nothing is covered."""
         count = round(on_ladder(rain, _DENSITY) * _BOX_M**3)
         self._start_m = rng.uniform(0, _BOX_M, (count, 3))
         self._size_m = rng.uniform(0.0012, 0.0032, count)
@@ -35,6 +38,7 @@ class Rain:
         fall = 9.65 - 10.3 * np.exp(-600.0 * self._size_m)
         drift = _WIND_MPS + rng.normal(0, 0.25, (count, 2))
         self._velocity_mps = np.column_stack([drift, -fall])
+        self._shelter = shelter
 
     def add_streaks(
         self,
@@ -61,6 +65,9 @@ class Rain:
         turn = view.world_from_cam.rotation
         middle = offset @ turn
         seen = (middle[:, 2] > _NEAR_M) & (np.linalg.norm(middle, axis=1) < _FAR_M)
+        if self._shelter is not None:
+            places = (offset[seen] + eye).T.astype(np.float32)
+            seen[seen] = self._shelter.daylight(places[:, None])[0] > _FALLS_IN
         middle, size = middle[seen], self._size_m[seen]
         half = (self._velocity_mps[seen] - velocity_mps) @ turn * (SHUTTER_S / 2)
         first, last = _pixels(middle - half, view), _pixels(middle + half, view)

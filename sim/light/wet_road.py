@@ -36,11 +36,11 @@ class WetRoad:
         # Mirrored at its borders, so that it tiles the world without a seam.
         self._puddles = (puddles * smoothstep(0.55, 1.15, tile)).astype(np.float32)
 
-    def wetness(self, surfaces: Surfaces, exposed: Floats | None) -> Floats:
+    def wetness(self, surfaces: Surfaces, exposed: Floats) -> Floats:
         """Return (h, w) how wet each sample is, 0 to 1; ``exposed`` is the share that rain reaches."""
         wet = np.clip((surfaces.normals[2] - _DRY_BELOW) / np.float32(_WET_ABOVE - _DRY_BELOW), 0, 1)
         wet[surfaces.sky[::STEP, ::STEP]] = 0
-        return np.asarray(wet if exposed is None else wet * exposed)
+        return np.asarray(wet * exposed)
 
     def darkened(self, wet: Floats) -> Floats:
         """Return (h, w) what is left of the albedo."""

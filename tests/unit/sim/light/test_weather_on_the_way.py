@@ -14,7 +14,7 @@ from sim.light.lamps import LightSource
 from sim.light.rain import Rain
 from sim.light.sprites import add_lamps
 from sim.light.surroundings import Surroundings
-from sim.light.tunnels import CoveredRoad
+from sim.light.tunnels import CoveredRoad, TunnelShade
 from sim.light.weather import WeatherConfig
 from sim.light.wet_lens import WetLens
 from sim.rendering.view import FAR_M, Picture, View
@@ -96,6 +96,19 @@ def test_drops_behind_a_wall_are_not_seen() -> None:
     rain = Rain(5.0, np.random.default_rng(1))
     assert streaks(rain, FAR_AWAY, 1.0, np.zeros(3)).max() > 10
     assert streaks(rain, np.full_like(FAR_AWAY, 0.4), 1.0, np.zeros(3)).max() == 0
+
+
+def test_no_rain_falls_in_a_tunnel() -> None:
+    outline = np.array([[-50.0, -8], [50, -8], [50, 8], [-50, 8]])
+    road = CoveredRoad(outline, np.array([[-50.0, 0], [50, 0]]), 5.0)
+    sheltered, open_sky = (
+        Rain(5.0, np.random.default_rng(0), TunnelShade(tunnels, 3.0)) for tunnels in ((road,), ())
+    )
+    bare = Rain(5.0, np.random.default_rng(0))
+    assert streaks(sheltered, FAR_AWAY, 3.0, np.zeros(3)).max() == 0
+    assert np.array_equal(
+        streaks(open_sky, FAR_AWAY, 3.0, np.zeros(3)), streaks(bare, FAR_AWAY, 3.0, np.zeros(3))
+    )
 
 
 def test_driving_lengthens_streaks_beside_the_car() -> None:
