@@ -55,6 +55,19 @@ class WorldConfig(Config):
             )
         return self
 
+    @model_validator(mode="after")
+    def _renderer_keeps_what_lamps_need(self) -> Self:
+        """See ``sim.light.channels``: Filament's tone mapping and highlights mix the three channels."""
+        lit = [key for key in ("dusk", "night") if getattr(self.weather, key) > 0]
+        lit += ["tunnel"] if self.weather.tunnel > 0 and self.street.kind == "tunnel" else []
+        if self.renderer == "filament" and lit:
+            raise ValueError(
+                f"renderer is filament, which cannot draw the lamps of weather.{lit[0]} "
+                f"{getattr(self.weather, lit[0]):g}; wanted renderer: classic or pyrender, "
+                f"or weather.{lit[0]}: 0"
+            )
+        return self
+
 
 @dataclass(frozen=True, eq=False)
 class Truth:

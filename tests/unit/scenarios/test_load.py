@@ -110,3 +110,18 @@ def test_an_error_names_the_file_that_holds_the_key(tmp_path: Path) -> None:
 def test_an_unknown_scenario_lists_what_there_is() -> None:
     with pytest.raises(InputError, match=r"is not known; there are: .*did you mean 'first_drive'"):
         load_scenario("first_driv")
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [["weather.night=2"], ["weather.dusk=1"], ["weather.tunnel=1", "street={kind: tunnel, length_m: 70}"]],
+    ids=["night", "dusk", "tunnel"],
+)
+def test_lamps_in_a_renderer_that_cannot_draw_them_are_refused(settings: list[str]) -> None:
+    with pytest.raises(InputError, match="filament, which cannot draw the lamps of weather"):
+        load_scenario("first_drive", ["renderer=filament", *settings])
+    assert load_scenario("first_drive", ["renderer=pyrender", *settings]).world.renderer == "pyrender"
+
+
+def test_filament_takes_a_dark_tunnel_setting_where_there_is_no_tunnel() -> None:
+    assert load_scenario("first_drive", ["renderer=filament", "weather.tunnel=3"])
