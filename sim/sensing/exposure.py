@@ -14,10 +14,14 @@ DAY_EXPOSURE_S = 0.0007  # at which a sunny day's light makes the levels it is g
 SHORTEST_EXPOSURE_S = 0.00005
 LONGEST_EXPOSURE_S = 0.015
 LARGEST_GAIN = 16.0  # 24 dB
-# Between these means of an image nothing is changed: steering at every cloud would make images flicker.
-# Beyond them the exposure is steered until the mean is near the one wanted.
-DARKEST_MEAN, WANTED_MEAN, BRIGHTEST_MEAN = 62.0, 105.0, 155.0
-_NEAR_ENOUGH = 0.12  # of a factor
+# An image whose mean lies between these at a sunny day's exposure is left as it is: dim days look dim. Beyond
+# them the exposure changes so that the mean keeps to the upper limit, and falls below the lower one by this
+# power of the light only: the night stays darker than the day. There is no jump where that begins.
+DARKEST_MEAN, BRIGHTEST_MEAN, LEFT_DARK = 62.0, 155.0, 0.18
+# Longer exposures stop where more than this share of the image would be brighter than this level: lamps may
+# burn out, the road before the car's own lamps may not, however black the rest.
+_BRIGHT_SHARE, BRIGHT_LEVEL = 0.03, 215.0
+_NEAR_ENOUGH = 0.01  # of a factor, from which on a sunny day's exposure is taken as it is
 _TIME_CONSTANT_S = 0.3
 _SETTLING_STEPS = 60
 _METERED_WEIGHT = 3.0  # of the middle of the image, against the rim
@@ -86,29 +90,34 @@ class AutoExposure:
 
     def __init__(self) -> None:
         self.now = Exposure()
-        self._mean = WANTED_MEAN
-        self._is_steering = False
+        self._wanted_scale = 1.0
 
     def settle(self, light: GreyImage) -> None:
         sparse = light[:: _STRIDE_PX // 2, :: _STRIDE_PX // 2]
         for _ in range(_SETTLING_STEPS):
-            self._mean = metered(np.clip(sparse * np.float32(self.now.scale), 0, 255))
+            self._wanted_scale = wanted_scale(
+                np.clip(sparse * np.float32(self.now.scale), 0, 255), self.now.scale
+            )
             self._adjust(1.0)
 
     def watch(self, image: Image) -> None:
-        self._mean = metered(image[::_STRIDE_PX, ::_STRIDE_PX])
+        self._wanted_scale = wanted_scale(image[::_STRIDE_PX, ::_STRIDE_PX], self.now.scale)
 
     def steer(self, later_s: float) -> None:
         self._adjust(float(1 - np.exp(-later_s / _TIME_CONSTANT_S)))
 
     def _adjust(self, share: float) -> None:
-        mean = max(self._mean, 1.0)
-        if not DARKEST_MEAN <= mean <= BRIGHTEST_MEAN:
-            self._is_steering = True
-        elif abs(np.log(mean / WANTED_MEAN)) < _NEAR_ENOUGH:
-            self._is_steering = False
-        if self._is_steering:
-            self.now = Exposure.of_scale(self.now.scale * (WANTED_MEAN / mean) ** share)
+        scale = self.now.scale * (self._wanted_scale / self.now.scale) ** share
+        self.now = Exposure() if abs(np.log(scale)) < _NEAR_ENOUGH else Exposure.of_scale(scale)
+
+
+def wanted_scale(image: GreyImage | Image, scale: float) -> float:
+    """Return the ``Exposure.scale`` at which what an image taken at ``scale`` shows is well exposed."""
+    mean = max(metered(image), 1.0)
+    least = (scale * DARKEST_MEAN / mean) ** (1 - LEFT_DARK)
+    by_mean = float(np.clip(1.0, least, max(least, scale * BRIGHTEST_MEAN / mean)))
+    bright = max(float(np.quantile(image, 1 - _BRIGHT_SHARE)), 1.0)
+    return max(min(by_mean, scale * BRIGHT_LEVEL / bright), min(by_mean, 1.0))
 
 
 def metered(image: GreyImage | Image) -> float:

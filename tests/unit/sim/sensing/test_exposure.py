@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from sim.sensing.exposure import (
+    BRIGHT_LEVEL,
     BRIGHTEST_MEAN,
+    DARKEST_MEAN,
     LARGEST_GAIN,
+    LEFT_DARK,
     LONGEST_EXPOSURE_S,
-    WANTED_MEAN,
     AutoExposure,
     Exposure,
     FixedExposure,
@@ -47,7 +49,8 @@ def test_out_of_a_tunnel_images_glare_for_some_frames() -> None:
     means = means_of_images(control, scene(105), 25)
     assert means[0] > 230
     assert means[2] > BRIGHTEST_MEAN + 20
-    assert means[-1] == pytest.approx(WANTED_MEAN, rel=0.15)
+    assert means[-1] == pytest.approx(105, abs=1)
+    assert control.now == Exposure()
     assert (np.diff(means) < 1).all()
 
 
@@ -56,8 +59,30 @@ def test_into_a_tunnel_images_are_dark_at_first() -> None:
     control.settle(scene(105))
     means = means_of_images(control, scene(6), 25)
     assert means[0] < 10
-    assert means[-1] == pytest.approx(WANTED_MEAN, rel=0.15)
+    assert means[-1] == pytest.approx(DARKEST_MEAN * (6 / DARKEST_MEAN) ** LEFT_DARK, rel=0.15)
     assert (np.diff(means) > -1).all()
+
+
+def test_the_dimmer_the_light_the_dimmer_the_image() -> None:
+    """Nowhere does a step towards the dark end in a brighter image."""
+    means = []
+    for level in np.geomspace(105, 1, 40):
+        control = AutoExposure()
+        control.settle(scene(level))
+        means += means_of_images(control, scene(level), 1)
+    assert (np.diff(means) < 1).all()
+    assert means[-1] == pytest.approx(DARKEST_MEAN * (1 / DARKEST_MEAN) ** LEFT_DARK, rel=0.02)
+
+
+def test_the_road_before_the_car_does_not_burn_out() -> None:
+    """A tenth of the image lit by the own beams, the rest nearly black."""
+    light = np.full((400, 640), 0.05, np.float32)
+    light[280:320, 100:500] = 5 * np.linspace(0.8, 1, 400, dtype=np.float32)
+    control = AutoExposure()
+    control.settle(light)
+    image = expose(light, 0.0, np.random.default_rng(0), control.now)
+    assert np.quantile(image, 0.97) == pytest.approx(BRIGHT_LEVEL, rel=0.05)
+    assert (image >= 250).mean() < 0.03
 
 
 def test_the_dark_takes_time_first_and_then_gain_up_to_their_limits() -> None:
