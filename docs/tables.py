@@ -72,10 +72,16 @@ TABLES = {
 
 
 def with_tables(page: str, text: str) -> str:
-    """Return a page's text with each table, between its two marks, as it should be."""
+    """Return a page's text with each table, between its two marks, as it should be.
+
+    Raises:
+        ValueError: A mark is not in the text exactly once.
+    """
     for name, make in TABLES[page].items():
-        marked = re.compile(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", re.DOTALL)
-        text = marked.sub(lambda match, make=make: match[1] + make() + match[2], text)
+        marked = re.compile(rf"(<!-- {name} -->\n).*?(<!-- end -->)", re.DOTALL)
+        text, found = marked.subn(lambda match, make=make: f"{match[1]}{make()}\n{match[2]}", text)
+        if found != 1:
+            raise ValueError(f"{page}: {found} tables marked {name!r}; wanted one")
     return text
 
 

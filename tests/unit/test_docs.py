@@ -20,3 +20,8 @@ def test_the_tables_are_up_to_date(page: str) -> None:
 def test_every_link_and_picture_exists(page: Path) -> None:
     links = re.findall(r"\]\(([^)#:]+)\)", page.read_text())
     assert all((page.parent / link).exists() for link in links)
+
+
+def test_a_page_without_its_mark_is_refused() -> None:
+    with pytest.raises(ValueError, match="0 tables marked 'kinds'"):
+        with_tables("faults.md", "no table here")
