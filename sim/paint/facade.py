@@ -29,6 +29,8 @@ def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> Rg
         PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
     if facade.wall != "render":
         _scribble(canvas, facade, rng)
+    for panel in (panel for panel in facade.panels if panel.kind == "gateway"):  # nothing is stuck on air
+        PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
     _roof(canvas, facade, rng)
     canvas.shade(0.02 * fractal(rng, canvas.shape, canvas.cells(0.3), 2, 0.7))
     return canvas.image()

@@ -44,6 +44,13 @@ def _gate(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator) ->
     canvas.frame(p.x0, p.z0, p.x1, p.z1, 0.1, facade.trim_color)
 
 
+def _gateway(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator) -> None:
+    """The dark of a passage; its lower part gets some light from the street."""
+    canvas.rect(p.x0, p.z0, p.x1, p.z1, (24, 23, 23))
+    for share in (0.5, 0.3, 0.12):
+        canvas.rect(p.x0, p.z1 - share * (p.z1 - p.z0), p.x1, p.z1, (52, 50, 47), 0.3)
+
+
 def _railing(canvas: Canvas, facade: Facade, p: Panel, rng: np.random.Generator) -> None:
     canvas.rect(p.x0, p.z0, p.x1, p.z1, (120, 116, 108))
     bar = np.array(facade.accent_color) * 0.5
@@ -97,6 +104,7 @@ PAINTERS: dict[str, Painter] = {
     "window": _window,
     "door": _door,
     "gate": _gate,
+    "gateway": _gateway,
     **SHOP_PAINTERS,
     "railing": _railing,
     "flowers": _flowers,

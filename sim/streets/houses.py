@@ -14,6 +14,7 @@ from sim.paint.lit_windows import light_windows
 from sim.paint.shops import SHOP_NAMES
 from sim.shapes.facade import Facade
 from sim.shapes.facade_plan import CANYON, OLD_TOWN, draw_facade, draw_plain_house
+from sim.shapes.gateway import GATE_FLOORS, with_gateway
 from sim.shapes.house_mesh import house_mesh
 from sim.streets.lot import MODULE_M, Facades, Lot
 from sim.streets.relief import Relief
@@ -67,7 +68,7 @@ def build_houses(
             continue
         detail = NEAR if near.query(lot.front_m.mean(axis=0))[0] < FAR_M else FAR
         facade, skin = module, "house_module"
-        if facade is None:
+        if facade is None or lot.gateway_m:
             drawn = _drawn(lot, facades, floors, stream)
             facade, skin = replace(drawn, shop_name=names[k % len(names)]), f"house_{k}"
             skins[skin] = _skin(facade, detail.texel_m, stream)
@@ -86,4 +87,7 @@ def _drawn(lot: Lot, facades: Facades, floors: tuple[int, ...], rng: np.random.G
     seen = any(lot.seen)
     if facades == "bare" or lot.setback_m > 3.0:
         return draw_plain_house(lot.width_m, rng, seen)
+    if lot.gateway_m:
+        high = floors if floors == CANYON else GATE_FLOORS
+        return with_gateway(draw_facade(lot.width_m, rng, False, seen, high), lot.gateway_m)
     return draw_facade(lot.width_m, rng, shops=lot.setback_m < 1.0, corner=seen, floors=floors)

@@ -27,6 +27,7 @@ class Lot:
         curb_m: Height of the pavement before it over the ground.
         use: What is on it: a house, a garden without one, or a house across the end of a street.
         seen: Whether its left and right side walls face a street.
+        gateway_m: Width of the gateway in the middle of its front, through which a street leaves; 0 for none.
     """
 
     front_m: Array
@@ -35,6 +36,7 @@ class Lot:
     curb_m: float
     use: Use = "house"
     seen: tuple[bool, bool] = (False, False)
+    gateway_m: float = 0.0
 
     @property
     def outline_m(self) -> Array:

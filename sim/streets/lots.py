@@ -132,7 +132,7 @@ class _Builder:
                 d = np.array([road.left_m + 3.0, road.right_m - 3.0])[::ahead]
                 near, far = s + 1.5 * ahead, s + (1.5 + DEPTHS_M[0]) * ahead
                 front, back = road.path.point_m(near, d), road.path.point_m(far, d)
-                self._claim(Lot(front, back, setback, 0.0, "closing"), room=False)
+                self._claim(Lot(front, back, setback, 0.0, "closing", gateway_m=road.width_m), room=False)
 
     def _claim(self, lot: Lot, room: bool = True) -> bool:
         outline = lot.outline_m

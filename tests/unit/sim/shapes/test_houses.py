@@ -5,6 +5,7 @@ import pytest
 
 from sim.shapes.facade import Facade
 from sim.shapes.facade_plan import CANYON, OLD_TOWN, draw_facade, draw_plain_house
+from sim.shapes.gateway import GATE_FLOORS, GATEWAY_M, with_gateway
 from sim.shapes.house_mesh import FOUNDATION_M, house_mesh
 from sim.shapes.mesh import Mesh
 from sim.shapes.sweep import along_section, sweep
@@ -63,3 +64,16 @@ def test_a_wall_swept_along_a_line_is_seen_from_its_right() -> None:
     mesh = sweep(line, section, np.linspace(0, 1, 6), along_section(section))
     assert facing(mesh, (0, -1, 0)) == pytest.approx(20.0)
     assert facing(mesh, (0, 1, 0)) == 0.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_nothing_of_a_front_is_left_in_its_gateway(seed: int) -> None:
+    whole = draw_facade(14.0, np.random.default_rng(seed), shops=False, floors=GATE_FLOORS)
+    cut = with_gateway(whole, 7.0)
+    gateway = cut.panels[-1]
+    assert (gateway.x1 - gateway.x0, gateway.z0, gateway.z1) == (7.0, 0.0, GATEWAY_M)
+    assert gateway.z1 < cut.height_m
+    for panel in cut.panels[:-2]:  # the last but one is its frame
+        beside = panel.x1 <= gateway.x0 or panel.x0 >= gateway.x1
+        assert beside or panel.z0 >= gateway.z1, panel
+    assert any(panel.kind == "window" for panel in cut.panels)

@@ -69,3 +69,13 @@ def test_there_are_gaps_without_houses_but_never_two_side_by_side() -> None:
     uses = [lot.use for seed in range(3) for lot in lots("straight", seed=seed)]
     assert 0 < uses.count("garden") < 0.3 * len(uses)
     assert ("garden", "garden") not in itertools.pairwise(uses)
+
+
+def test_streets_leave_the_world_through_gateways_as_wide_as_they_are() -> None:
+    plan = network("crossroads")
+    gates = [lot for lot in lots("crossroads") if lot.gateway_m]
+    assert len(gates) >= 3
+    widths = [road.width_m for road in plan.roads]
+    for lot in gates:
+        assert min(abs(lot.gateway_m - width) for width in widths) < 1e-9
+        assert lot.gateway_m < lot.width_m
