@@ -61,6 +61,16 @@ def paint_noise_wall(length_m: float, height_m: float, kind: int, rng: np.random
     return canvas.image()
 
 
+def paint_marker(rng: np.random.Generator) -> RgbImage:
+    """The face of a marker post: white, a slanting black band with its reflector, splashed below."""
+    canvas = Canvas(0.12, 1.2, (0.01, 0.01), (232, 232, 226))
+    canvas.fill(np.array([[0.0, 0.16], [0.12, 0.1], [0.12, 0.34], [0.0, 0.4]]), (26, 26, 28))
+    canvas.rect(0.035, 0.17, 0.085, 0.33, (214, 206, 190))
+    dirt = np.linspace(0.0, 1.0, canvas.shape[0])[:, None] ** 3 * np.ones(canvas.shape)
+    canvas.shade(-0.45 * dirt + 0.03 * fractal(rng, canvas.shape, canvas.cells(0.2), 2, 0.7))
+    return canvas.image()
+
+
 def _tag(canvas: Canvas, x: float, y: float, rng: np.random.Generator) -> None:
     line = scrawl(rng, rng.uniform(0.9, 2.2), 0.6) + np.array([x, y])
     canvas.stroke(line, 0.08, rng.uniform(20, 200, 3), 0.9)

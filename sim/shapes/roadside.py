@@ -97,12 +97,10 @@ def gantry_boards(middles_m: Array) -> Mesh:
 
 
 def marker_post() -> Mesh:
-    """A white post with a dark band and a reflector, towards -x and +x."""
-    white, dark = (0.9, 0.02, 0.98, 0.1), (0.9, 0.3, 0.98, 0.5)
+    """A post that shows its face, reflector and all, towards -x and +x."""
     return merged(
         [
-            box((-0.06, -0.05, -0.2), (0.06, 0.05, 0.72), white),
-            box((-0.062, -0.052, 0.72), (0.062, 0.052, 0.9), dark),
-            box((-0.06, -0.05, 0.9), (0.06, 0.05, 1.02), white),
+            box((-0.06, -0.05, -0.2), (0.06, 0.05, 0.98), (0.0, 0.0, 1.0, 1.0)),
+            box((-0.05, -0.04, 0.98), (0.05, 0.04, 1.02), (0.1, 0.0, 0.9, 0.02)),
         ]
     )

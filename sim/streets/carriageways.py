@@ -20,6 +20,7 @@ _OVERLAP_TEXELS = 48  # keeps the wrap-around of filtering out of sight
 _PAVED_AT_ONCE_M = 200.0  # a longer road is paved in sections, which bounds the memory that painting takes
 _UNDER_M = 0.06  # how far the surface of a junction reaches under the strips around it
 _SUNK_M = 0.002
+_UNDER_KERB_M = 0.1  # else hairlines open where the kerb and what it bounds are curved differently
 
 
 def build_carriageways(network: Network, rng: np.random.Generator) -> Scenery:
@@ -60,7 +61,7 @@ def _pieces(name: str, canvas: RoadCanvas, road: Road, relief: Relief) -> Scener
         low, high = max(0, start - _OVERLAP_TEXELS), min(width, stop + _OVERLAP_TEXELS)
         s_m = _samples(canvas.start_m + texel * start, canvas.start_m + texel * stop, road, relief)
         d_m = _columns(canvas.top_m, bottom_m, road, relief)
-        across = (canvas.top_m - d_m) / (canvas.top_m - bottom_m)
+        across = np.clip((canvas.top_m - d_m) / (canvas.top_m - bottom_m), 0.0, 1.0)
         u = ((s_m - canvas.start_m) / texel - low) / (high - low)
         uvs = np.stack(np.broadcast_arrays(u[:, None], 0.001 + 0.998 * across), axis=-1)
         skin = f"{name}_{k}"
@@ -85,6 +86,8 @@ def _columns(left_m: float, right_m: float, road: Road, relief: Relief) -> Array
     if road.bumps_m:
         right, left = road.bump_edges_m
         d_m = np.union1d(d_m, [right, right + BUMP_FLANK_M, left - BUMP_FLANK_M, left])
+    if road.kerb_m > 0:
+        d_m = np.concatenate([[d_m[0] - _UNDER_KERB_M], d_m, [d_m[-1] + _UNDER_KERB_M]])
     return np.asarray(d_m[::-1])
 
 
@@ -95,7 +98,9 @@ def _step(relief: Relief) -> float:
 def _junction(name: str, junction: Junction, network: Network, rng: np.random.Generator) -> Scenery:
     c, s = np.cos(junction.yaw_rad), np.sin(junction.yaw_rad)
     turn = np.array([[c, -s], [s, c]])  # world xy @ turn: along the road, left of it
-    outline = junction.outline.buffer(_UNDER_M, join_style="mitre").intersection(network.carriageway)
+    kerbed = any(road.kerb_m > 0 for road in network.roads)
+    limit = network.carriageway.buffer(_UNDER_KERB_M if kerbed else 0.0)
+    outline = junction.outline.buffer(_UNDER_M, join_style="mitre").intersection(limit)
     local = np.asarray(junction.outline.exterior.coords) @ turn
     (x0, y0), (x1, y1) = local.min(axis=0) - 0.5, local.max(axis=0) + 0.5
     canvas = asphalt(float(x0), float(x1), float(y0), float(y1), rng, wear=junction.wear)

@@ -8,8 +8,9 @@ from itertools import pairwise
 import numpy as np
 
 from estimator.se3 import Array
-from sim.paint.roadside import DESTINATIONS, paint_boards, paint_noise_wall, paint_rail
-from sim.shapes.roadside import gantry_boards, gantry_frame, guard_rail, noise_wall
+from sim.paint.roadside import DESTINATIONS, paint_boards, paint_marker, paint_noise_wall, paint_rail
+from sim.shapes.mesh import Mesh
+from sim.shapes.roadside import gantry_boards, gantry_frame, guard_rail, marker_post, noise_wall
 from sim.streets.kerb import KerbLine
 from sim.streets.network import Network
 from sim.streets.placing import KerbSite, Site
@@ -22,6 +23,7 @@ _RAIL_FROM_EDGE_M, _WALL_FROM_EDGE_M = 0.7, 5.2
 _WALLS_M, _GAPS_M = (48.0, 110.0), (36.0, 80.0)
 _WALL_HEIGHT_M = 3.8
 _POST_FROM_EDGE_M = 1.45  # behind the rail
+_MARKER_FROM_EDGE_M, _MARKER_EVERY_M = 1.05, 50.0
 _COPSE_M = (9.0, 46.0)  # from the edge: where trees stand together behind a gap
 _GANTRY_FIRST_M, _GANTRY_EVERY_M = (32.0, 48.0), (120.0, 170.0)
 
@@ -31,11 +33,13 @@ def line_motorways(site: Site, network: Network, green: Greenery, rng: np.random
     kerbs = [kerb for kerb in network.kerbs if kerb.lining == "barrier"]
     if not kerbs:
         return NOTHING
-    rail_rng, wall_rng, gantry_rng, plant_rng = rng.spawn(4)
-    scenery = Scenery((), {"rail": Skin(paint_rail(rail_rng), 0.3)})
+    rail_rng, wall_rng, gantry_rng, plant_rng, marker_rng = rng.spawn(5)
+    scenery = Scenery((), {"rail": Skin(paint_rail(rail_rng), 0.3), "marker": Skin(paint_marker(marker_rng))})
+    marker = marker_post()
     for k, (kerb, walls) in enumerate(zip(kerbs, wall_rng.spawn(len(kerbs)), strict=True)):
         scenery += _rails(f"rail_{k}", kerb, network)
         if kerb.pavement_m > _WALL_FROM_EDGE_M:
+            scenery += _markers(f"marker_{k}", kerb, network, marker)
             stretches = _stretches(kerb, walls)
             scenery += _walls(f"noise_wall_{k}", kerb, stretches, network, walls)
             street = KerbSite(site, kerb)
@@ -62,6 +66,17 @@ def _rails(name: str, kerb: KerbLine, network: Network) -> Scenery:
     for k, (low, high) in enumerate(_pieces(start, kerb.path.end_m)):
         line = _line(kerb, low, high, _RAIL_FROM_EDGE_M, network)
         props.append(Prop(f"{name}_{k}", guard_rail(line, low - start, both_sides=False), "rail"))
+    return Scenery(tuple(props), {})
+
+
+def _markers(name: str, kerb: KerbLine, network: Network, marker: Mesh) -> Scenery:
+    """Posts behind the rail, as far apart as everywhere, so that drivers can judge distances by them."""
+    places = np.arange(kerb.path.start_m + _MARKER_EVERY_M / 2, kerb.path.end_m, _MARKER_EVERY_M)
+    props = []
+    for k, s in enumerate(places):
+        x, y = kerb.path.point_m(s, _MARKER_FROM_EDGE_M)
+        place = (float(x), float(y), float(network.relief.height_m(np.array([x, y]))))
+        props.append(Prop(f"{name}_{k}", marker, "marker", place, float(kerb.path.heading_rad(s))))
     return Scenery(tuple(props), {})
 
 

@@ -132,3 +132,15 @@ def test_lights_stand_where_streets_cross_and_signs_where_one_joins() -> None:
         len([p for p in furnished("crossroads")[0] if p.mesh.vertices_m[:, 2].max() == pytest.approx(3.5)])
         == 4
     )
+
+
+def test_marker_posts_stand_behind_the_rail_of_a_motorway_on_its_outside() -> None:
+    plan = network("motorway")
+    posts = [prop for prop in furnished("motorway")[0] if prop.skin == "marker"]
+    outer = [kerb for kerb in plan.kerbs if kerb.lining == "barrier" and kerb.pavement_m > 5.2]
+    assert len(posts) >= 2 * len(outer)
+    for post in posts:
+        nearest = min(
+            abs(float(kerb.path.project(np.array(post.position_m[:2]))[1]) - 1.05) for kerb in outer
+        )
+        assert nearest < 0.02
