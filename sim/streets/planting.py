@@ -55,7 +55,7 @@ def line_with_trees(street: KerbSite, green: Greenery) -> None:
         trees = green.catalogue.trees(fine)
         tree, turn = trees[int(rng.random() * len(trees))], rng.uniform(0, 2 * np.pi)
         street.put(tree, s, 0.65, turn, shown=green.grows())
-        s += rng.uniform(11.0, 21.0) * (1.0 if kerb.lining == "houses" else 3.0)
+        s += rng.uniform(13.0, 25.0) * (1.0 if kerb.lining == "houses" else 3.0)
     if kerb.lining != "houses":
         return
     for s in street.steps(1.0, 2.3):
