@@ -10,6 +10,10 @@ from pydantic_core import ErrorDetails
 from estimator.config_path import follow
 
 _LONGEST = 60
+_OTHER_BOUNDS = {
+    "greater_than": {"lt": "less than", "le": "less than or equal to"},
+    "less_than": {"gt": "greater than", "ge": "greater than or equal to"},
+}
 
 
 def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
@@ -41,7 +45,19 @@ def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
     if first["type"] == "value_error":
         return f"{path}: {first['ctx']['error']}"
     wanted = first["msg"].removeprefix("Input should be ").replace("a valid tuple", "a list")
-    return f"{path}: got {got}, wanted {wanted.replace('a valid ', 'a ').replace('a integer', 'an integer')}"
+    wanted = wanted.replace("a valid ", "a ").replace("a integer", "an integer")
+    return f"{path}: got {got}, wanted {wanted}{_other_bound(first, model)}"
+
+
+def _other_bound(error: ErrorDetails, model: type[BaseModel]) -> str:
+    """Return the far end of the range of which a value broke the near one."""
+    words = _OTHER_BOUNDS.get(error["type"].removesuffix("_equal"), {})
+    _, group = follow(model, error["loc"][:-1])
+    if not words or not (isinstance(group, type) and issubclass(group, BaseModel)):
+        return ""
+    field = group.model_fields[str(error["loc"][-1])]
+    bounds = [(word, getattr(mark, key, None)) for mark in field.metadata for key, word in words.items()]
+    return "".join(f" and {word} {bound:g}" for word, bound in bounds if bound is not None)
 
 
 def _choices(details: Sequence[ErrorDetails], path: str, model: type[BaseModel]) -> str:

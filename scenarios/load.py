@@ -19,6 +19,7 @@ from scenarios.overrides import merge, parse_overrides
 from scenarios.scenario import Scenario, ScenarioEntry
 from sim.faults.chain import check_cameras
 from sim.sensing.refit import check_lenses, with_lenses
+from sim.vehicle.mount_events import check_events
 from sim.world import WorldConfig
 
 
@@ -61,6 +62,7 @@ def _check_cameras(world: WorldConfig, rig: Rig, layers: Sequence[Layer]) -> Non
     """Refuse what names a camera that the rig does not have, before anything is built."""
     try:
         check_cameras(world.faults, rig.cameras)
+        check_events(world.miscalibration.events, rig)
     except InputError as error:
         raise InputError(f"{_source_of(str(error).partition(':')[0], layers)}: {error}") from None
 

@@ -7,10 +7,10 @@ depends on time only: 0 before the event, 1 at its full size.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 import numpy as np
-from pydantic import Field, field_validator
+from pydantic import Field, field_validator, model_validator
 
 from estimator.config import Config
 from estimator.errors import InputError
@@ -42,6 +42,12 @@ class MountEvent(Config):
         if not names or not all(isinstance(name, str) and name for name in names):
             raise ValueError(f"got {value!r}, wanted the name of a camera, a list of names, or all")
         return value
+
+    @model_validator(mode="after")
+    def _moves_something(self) -> Self:
+        if self.rotation_deg == 0 and self.translation_mm == 0:
+            raise ValueError("nothing would move; wanted rotation_deg or translation_mm above 0")
+        return self
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -65,6 +65,15 @@ def test_bases_in_a_circle_are_refused(tmp_path: Path) -> None:
         (ABOUT + "speed: 5", "speed: unknown key; there are: about, drive"),
         (ABOUT + "drive: {speed_mps: .nan}", "drive.speed_mps: got nan, wanted a finite number"),
         (ABOUT + "drive: {speed_mps: -1}", "drive.speed_mps: got -1, wanted greater than or equal to 0.2"),
+        (ABOUT + "drive: {speed_mps: 41}", "got 41, wanted less than or equal to 40 and greater than or equ"),
+        (
+            ABOUT + "miscalibration: {events: [{at_s: 1, camera: reer, kind: knock, rotation_deg: 1}]}",
+            "miscalibration.events[0].camera: got 'reer', wanted a camera of the rig; there are: front_r",
+        ),
+        (
+            ABOUT + "miscalibration: {events: [{at_s: 1, camera: rear, kind: knock}]}",
+            "miscalibration.events[0]: nothing would move; wanted rotation_deg or translation_mm above 0",
+        ),
         (ABOUT + "drive: {speed_mps: '5'}", "drive.speed_mps: got '5', wanted a number"),
         (ABOUT + "drive: 5", "drive: got 5, wanted keys with values"),
         (ABOUT + "base: nope", "base: scenario 'nope' is not known; there are: "),
