@@ -46,17 +46,23 @@ class ClassicRenderer:
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         has_shadows = self._context.shadowSize > 0
         self._shadow_map = SharedShadowMap(self._context) if has_shadows else None
+        self._middle_m: Array | None = None  # around which the shadow map was drawn
 
     def render(
-        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
+        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False, keep_shadows: bool = False
     ) -> dict[str, Picture]:
         self._gl.make_current()
-        middle = np.mean([view.world_from_cam.translation for view in views.values()], axis=0)
-        if self._shadow_map is None:
-            return self._pictures(data, views, middle, depth)
-        self._draw_shadow_map(data, middle)
+        if self._middle_m is None or not keep_shadows:
+            self._middle_m = np.mean([view.world_from_cam.translation for view in views.values()], axis=0)
+        if self._shadow_map is None or not self._has_sun():
+            return self._pictures(data, views, self._middle_m, depth)
+        if not keep_shadows:
+            self._draw_shadow_map(data, self._middle_m)
         with self._shadow_map.frozen():
-            return self._pictures(data, views, middle, depth)
+            return self._pictures(data, views, self._middle_m, depth)
+
+    def _has_sun(self) -> bool:
+        return bool((self._model.light_castshadow.astype(bool) & self._model.light_active.astype(bool)).any())
 
     def _pictures(
         self, data: mujoco.MjData, views: Mapping[str, View], middle_m: Array, depth: bool

@@ -52,7 +52,7 @@ class FilamentRenderer:
         return self._sampling.shadow_map_px
 
     def render(
-        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
+        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False, keep_shadows: bool = False
     ) -> dict[str, Picture]:
         self._lights.update(data)
         self._renderables.update(data)

@@ -45,12 +45,12 @@ class PyrenderRenderer:
         GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)  # rows of textures follow each other without a gap
 
     def render(
-        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
+        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False, keep_shadows: bool = False
     ) -> dict[str, Picture]:
         middle_m = np.mean([view.world_from_cam.translation for view in views.values()], axis=0)
         self._world.update(data, middle_m)
         self._pipeline.everything = list(self._world.geom_nodes.values())
-        self._pipeline.redraw_shadows = True
+        self._pipeline.redraw_shadows |= not keep_shadows
         return {name: self._picture(data, view, depth) for name, view in views.items()}
 
     def _picture(self, data: mujoco.MjData, view: View, depth: bool) -> Picture:

@@ -53,7 +53,7 @@ class Renderer(Protocol):
     """Turns the state of a world into pictures; a context manager, complete once constructed."""
 
     def render(
-        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
+        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False, keep_shadows: bool = False
     ) -> dict[str, Picture]:
         """Return each view's picture of this instant; positions in ``data`` are up to date.
 
@@ -61,6 +61,7 @@ class Renderer(Protocol):
             data: State of the model the renderer was made for.
             views: By name; none larger than the renderer was made for.
             depth: Whether to measure depth as well.
+            keep_shadows: Whether the sun's shadows may be those of the last call, where that saves time.
         """
 
     def __enter__(self) -> Self: ...

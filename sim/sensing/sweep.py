@@ -25,6 +25,7 @@ from sim.vehicle.cameras import world_from_cam
 
 _SKY_M = 0.9 * FAR_M
 _PROBE_SCALE = 4  # the probe's pictures are this much smaller
+_SHADOWS_STAND_S = 0.004  # a fast car's own comes 6 cm further meanwhile, two texels of the shadow map
 _FASTEST_SHARE = 0.995  # of what is not sky moves slower than what the pictures are spaced for
 
 
@@ -54,13 +55,21 @@ class Sweep:
             for slot in slots(shutters[name], lens.size_px[1], counts[name]):
                 parts[slot.time_s].append((name, slot))
         lights = {name: np.zeros(lens.size_px[::-1], np.float32) for name, lens in self._lenses.items()}
+        shadows_of: float | None = None
         for offset_s in sorted(parts):
-            for name, slot, light in self._instant(stage, renderer, time_s + offset_s, parts[offset_s]):
+            keep = shadows_of is not None and offset_s - shadows_of < _SHADOWS_STAND_S
+            shadows_of = shadows_of if keep else offset_s
+            for name, slot, light in self._instant(stage, renderer, time_s + offset_s, parts[offset_s], keep):
                 lights[name][slot.first : slot.last] += light * slot.weights[:, None].astype(np.float32)
         return lights
 
     def _instant(
-        self, stage: Stage, renderer: Renderer, time_s: float, parts: list[tuple[str, Slot]]
+        self,
+        stage: Stage,
+        renderer: Renderer,
+        time_s: float,
+        parts: list[tuple[str, Slot]],
+        keep_shadows: bool,
     ) -> list[tuple[str, Slot, GreyImage]]:
         """Return the light of the rows that each camera takes at an instant."""
         late = tuple(name for name, slot in parts if slot.delay_s.any())
@@ -71,7 +80,8 @@ class Sweep:
         for name, lens in lenses.items():
             views |= lens.views(name, world_from_cam(data, name))
         self.pictures += len(views)
-        pictures = renderer.render(data, views, depth=bool(late) or self._atmosphere.needs_depth)
+        with_depth = bool(late) or self._atmosphere.needs_depth
+        pictures = renderer.render(data, views, with_depth, keep_shadows)
         taken = []
         for name, slot in parts:
             lens, keys = lenses[name], lenses[name].keys(name)
@@ -105,7 +115,7 @@ class Sweep:
         for name, lens in self._lenses.items():
             for key, view in lens.views(name, world_from_cam(data, name)).items():
                 views[key] = replace(view, pinhole=_smaller(view.pinhole))
-        pictures = renderer.render(data, views, depth=True)
+        pictures = renderer.render(data, views, depth=True, keep_shadows=True)
         fastest_px_s = {}
         for name, lens in self._lenses.items():
             speeds = [np.zeros(1)]

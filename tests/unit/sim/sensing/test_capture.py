@@ -49,7 +49,7 @@ class PaintedWall:
     """Renders a textured wall 8 m ahead of where the drive begins, by intersecting every pixel's ray."""
 
     def render(
-        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False
+        self, data: mujoco.MjData, views: Mapping[str, View], depth: bool = False, keep_shadows: bool = False
     ) -> dict[str, Picture]:
         return {name: self._picture(view) for name, view in views.items()}
 
