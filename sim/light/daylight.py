@@ -51,8 +51,8 @@ def daylight_of(weather: WeatherConfig) -> Daylight:
     set_already = on_ladder(weather.dusk, (1.0, 0.3, 0.06, 0.0, 0.0, 0.0)) * max(0.0, 1.0 - weather.night)
     level = (
         on_ladder(clouds, (1.0, 0.92, 0.83, 0.74, 0.65, 0.56))
-        * on_ladder(weather.dusk, (1.0, 0.45, 0.25, 0.13, 0.07, 0.035))
-        * on_ladder(weather.night, (1.0, 0.012, 0.006, 0.003, 0.0015, 0.0007))
+        * on_ladder(weather.dusk, (1.0, 0.5, 0.3, 0.19, 0.125, 0.085))
+        * on_ladder(weather.night, (1.0, 0.012, 0.007, 0.0035, 0.0018, 0.0008))
     )
     return Daylight(
         direction(weather.sun_elevation_deg, weather.sun_azimuth_deg),

@@ -19,6 +19,7 @@ from sim.rendering.view import FAR_M, DepthImage, View
 SUN_LEVEL = 600.0
 _SUN_SURELY = 320.0  # no other light is so bright
 _VEIL: Ladder = (0.0, 7.0, 16.0, 28.0, 44.0, 64.0)
+_ASTRAY: Ladder = (0.0, 0.12, 0.22, 0.32, 0.42, 0.5)  # share of the light by the sun that goes elsewhere
 _STRAY: Ladder = (0.0, 0.35, 0.7, 1.2, 1.8, 2.6)
 # Along the line from the sun (1) through the middle (0): place, radius in image widths, level, ring or disc.
 _GHOSTS = (
@@ -64,6 +65,7 @@ class Flare:
     def __init__(self, severity: float, sun: float) -> None:
         """``sun`` is the share of a clear day's direct light."""
         self._veil, self._stray = sun * on_ladder(severity, _VEIL), sun * on_ladder(severity, _STRAY)
+        self._astray = sun * on_ladder(severity, _ASTRAY)
 
     def over(self, light: Floats, camera: Camera) -> Floats:
         """Return the (H, W) light with what the sun in it spills."""
@@ -87,7 +89,9 @@ class Flare:
                 shape = shape * (0.3 + 0.7 * np.clip(out, 0, 1) ** 4)
             spill += np.float32(self._stray * level) * shape
         spill = cv2.resize(spill * np.float32(share), (width, height), interpolation=cv2.INTER_LINEAR)
-        return np.asarray(np.maximum(light, 0) + spill)
+        lost = np.float32(self._astray * share) * np.exp(-distance / np.float32(0.3))
+        left = 1 - cv2.resize(lost, (width, height), interpolation=cv2.INTER_LINEAR)
+        return np.asarray(np.maximum(light, 0) * left + spill)
 
 
 def find_sun(light: Floats, camera: Camera) -> tuple[tuple[float, float], float] | None:

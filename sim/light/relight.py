@@ -36,15 +36,16 @@ class Relight:
         self._daylight = daylight_of(weather).level
         at_dusk = on_ladder(weather.dusk, (0.0, 0.0, 0.3, 1.0, 1.0, 1.0))
         lit = max(min(1.0, weather.night), at_dusk)
-        # The darker the night, the fewer lamps burn: always the same ones at the same severity.
-        share = on_ladder(weather.night, (1.0, 1.0, 0.8, 0.6, 0.4, 0.2))
+        # The darker the night, the fewer lamps burn, and the dimmer: always the same ones at a severity.
+        share = on_ladder(weather.night, (1.0, 1.0, 0.85, 0.7, 0.5, 0.35))
+        town = on_ladder(weather.night, (1.0, 1.0, 0.7, 0.5, 0.35, 0.22))
         in_tunnel = on_ladder(weather.tunnel, (0.0, 4.0, 2.2, 1.2, 0.6, 0.3))
         self.lamps = (
-            *(dimmed(lamp, lit) for lamp in _some(lamps, share) if lit > 0),
+            *(dimmed(lamp, lit * town) for lamp in _some(lamps, share) if lit > 0),
             *(dimmed(lamp, in_tunnel) for lamp in tunnel_lamps if in_tunnel > 0),
         )
         self.headlights = max(lit, min(1.0, weather.dusk), min(1.0, weather.tunnel))
-        self.glow = max(lit, 0.6 * min(1.0, weather.dusk))
+        self.glow = town * max(lit, 0.6 * min(1.0, weather.dusk))
         self._shade = TunnelShade(tunnels, on_ladder(weather.tunnel, (20.0, 9.0, 6.5, 5.0, 4.0, 3.2)))
         self._bounced = _BOUNCED * in_tunnel
         self._is_shaded = bool(tunnels) and weather.tunnel > 0

@@ -16,8 +16,8 @@ from sim.light.surfaces import Floats
 from sim.light.weather import on_ladder
 from sim.seeds import rng_for
 
-_COUNT = (0.0, 6.0, 12.0, 20.0, 30.0, 44.0)
-_SIZE = (0.7, 0.8, 0.9, 1.0, 1.1, 1.2)
+_COUNT = (0.0, 9.0, 20.0, 34.0, 52.0, 74.0)
+_SIZE = (0.7, 0.85, 1.0, 1.1, 1.2, 1.3)
 _RADIUS = (0.012, 0.055)  # of the image's width
 _LIFE_S = (5.0, 16.0)
 _LANDING_S = 0.08

@@ -17,7 +17,7 @@ LARGEST_GAIN = 16.0  # 24 dB
 # An image whose mean lies between these at a sunny day's exposure is left as it is: dim days look dim. Beyond
 # them the exposure changes so that the mean keeps to the upper limit, and falls below the lower one by this
 # power of the light only: the night stays darker than the day. There is no jump where that begins.
-DARKEST_MEAN, BRIGHTEST_MEAN, LEFT_DARK = 62.0, 155.0, 0.18
+DARKEST_MEAN, BRIGHTEST_MEAN, LEFT_DARK = 62.0, 155.0, 0.22
 # Longer exposures stop where more than this share of the image would be brighter than this level: lamps may
 # burn out, the road before the car's own lamps may not, however black the rest.
 _BRIGHT_SHARE, BRIGHT_LEVEL = 0.03, 215.0

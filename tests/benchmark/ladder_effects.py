@@ -57,6 +57,7 @@ class Effect:
 
 
 _IN_TUNNEL = ("street.kind=tunnel", "street.length_m=110", "drive.distance_m=60")
+_CLOUDY = ("weather.overcast=5",)  # as fog and rain bring it: only what they do themselves is measured
 _TO_SUN = ("weather.sun_elevation_deg=17", "weather.sun_azimuth_deg=8")
 
 EFFECTS: Sequence[Effect] = (
@@ -83,12 +84,18 @@ EFFECTS: Sequence[Effect] = (
         settings=_IN_TUNNEL,
         from_s=2.5,
     ),
-    Effect("weather.fog", "air between the camera and all that is far", falls=(*_TEXTURE, *_SURVIVAL)),
+    Effect(
+        "weather.fog",
+        "air between the camera and all that is far",
+        falls=(*_TEXTURE, *_SURVIVAL),
+        settings=_CLOUDY,
+    ),
     Effect(
         "weather.rain",
         "clouds, a dark road, air, and streaks that stay nowhere",
         falls=("mean_level", *_TEXTURE),
         rises=("textureless_share",),
+        settings=_CLOUDY,
     ),
     Effect(
         "weather.wet_lens",

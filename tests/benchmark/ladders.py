@@ -2,9 +2,9 @@
 
 ``python -m tests.benchmark.ladders [EFFECT ...] [--sheet FILE.jpg]`` drives down one street at 10 m/s
 without sensor noise, takes a frame every metre with the pinhole camera ``front`` at every severity, and
-prints what the statistics of ``eval.likeness_statistics`` make of them. ``<`` after a row says that it must
-rise and does, ``>`` that it must fall and does; ``REVERSES`` that a step goes the other way; ``-`` is a row of
-which nothing is asked. Ends with status 1 if anything reverses.
+prints what the statistics of ``eval.likeness_statistics`` make of them. After a row, ``<`` says that it must
+rise and does, ``>`` that it must fall and does, ``REVERSES`` that a step goes the other way, and ``-`` that
+nothing is asked of it. Ends with status 1 if anything reverses.
 """
 
 from __future__ import annotations
