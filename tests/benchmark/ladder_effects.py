@@ -92,15 +92,15 @@ EFFECTS: Sequence[Effect] = (
     ),
     Effect(
         "weather.rain",
-        "clouds, a dark road, air, and streaks that stay nowhere",
-        falls=("mean_level", *_TEXTURE),
+        "a dark road against bright air, and streaks that stay nowhere",
+        falls=_TEXTURE,
         rises=("textureless_share",),
         settings=_CLOUDY,
     ),
     Effect(
         "weather.wet_lens",
-        "drops that blur what lies behind, and stay while the world moves",
-        falls=("fast20_per_100kpx", "gradient_mean", *_SURVIVAL),
+        "drops that blur what lies behind, and stay while the world moves; their own corners last a frame",
+        falls=("fast20_per_100kpx", "gradient_mean", "klt_survival_5"),
     ),
     Effect(
         "weather.flare",

@@ -32,8 +32,8 @@ from tests.benchmark.ladder_effects import EFFECTS, Effect
 CAMERA, FRAMES, PERIOD_S = "front", 12, 0.1
 PLAIN = ("drive.speed_mps=10", "drive.rate_hz=10", "sensor.noise=0")
 _TILE_PX = (256, 160)
-# What counts as a step back: a track lost or two, or a hundredth.
-_SLACK_OF_SHARE, _SLACK = 0.03, 0.01
+# What counts as a step back: some of 200 tracks, a hundredth of the pixels or of the largest value.
+_SLACK_OF_TRACKS, _SLACK = 0.03, 0.01
 
 
 def main() -> None:
@@ -113,7 +113,8 @@ def judged(name: str, values: Sequence[float], effect: Effect) -> str:
     sign = (name in effect.rises) - (name in effect.falls)
     if not sign:
         return "-"
-    slack = _SLACK_OF_SHARE if "klt" in name else _SLACK * max(map(abs, values))
+    slack = _SLACK if "share" in name else _SLACK * max(map(abs, values))
+    slack = _SLACK_OF_TRACKS if "klt" in name else slack
     goes_on = all(sign * (after - before) > -slack for before, after in pairwise(values))
     arrives = sign * (values[-1] - values[0]) > slack
     return {1: "<", -1: ">"}[sign] if goes_on and arrives else "REVERSES"
