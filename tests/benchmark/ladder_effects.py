@@ -99,8 +99,8 @@ EFFECTS: Sequence[Effect] = (
     ),
     Effect(
         "weather.wet_lens",
-        "drops that blur what lies behind, and stay while the world moves; their own corners last a frame",
-        falls=("fast20_per_100kpx", "gradient_mean", "klt_survival_5"),
+        "drops that blur what lies behind, and stay while the world moves",
+        falls=("fast20_per_100kpx", "gradient_mean", *_SURVIVAL),
     ),
     Effect(
         "weather.flare",
