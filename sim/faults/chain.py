@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from estimator.errors import InputError
-from sim.faults.fault import ALL, Fault, PassingFault
+from sim.faults.fault import Fault, PassingFault
 from sim.faults.kinds import WAY
 from sim.frame import Frame
 from sim.seeds import rng_for
+from sim.some_cameras import check_begins, check_names
 
 
 @dataclass
@@ -24,7 +24,7 @@ class FaultStage:
         """Yield what is left of the frames of bundle ``index``, exposed ``time_s`` into the drive."""
         lasts = self.fault.lasts(time_s)
         for frame in frames:
-            if not self.fault.strikes(frame.camera):
+            if not self.fault.concerns(frame.camera):
                 yield frame
             elif lasts:
                 sound = self._sound.setdefault(frame.camera, frame)
@@ -51,11 +51,8 @@ class FaultChain:
     def check_times(self, end_s: float) -> None:
         """Raise InputError where a fault begins after the drive's end."""
         for index, fault in enumerate(self._faults):
-            if isinstance(fault, PassingFault) and fault.at_s > end_s:
-                raise InputError(
-                    f"faults[{index}].at_s: got {fault.at_s:g}, "
-                    f"wanted no more than {end_s:.2f}, when the drive ends"
-                )
+            if isinstance(fault, PassingFault):
+                check_begins("faults", index, fault.at_s, end_s)
 
     def pass_on(self, frames: Iterable[Frame], index: int, time_s: float) -> tuple[Frame, ...]:
         """Return what reaches the recorder of the frames of bundle ``index``, whenever it arrives."""
@@ -70,11 +67,4 @@ class FaultChain:
 
 def check_cameras(faults: Sequence[Fault], cameras: Iterable[str]) -> None:
     """Raise InputError where a fault names a camera that is not among ``cameras``."""
-    there = tuple(cameras)
-    for index, fault in enumerate(faults):
-        for name in fault.names:
-            if name not in (*there, ALL):
-                raise InputError(
-                    f"faults[{index}].camera: got {name!r}, wanted a camera of the rig; "
-                    f"there are: {', '.join(there)}, or all"
-                )
+    check_names("faults", faults, tuple(cameras))

@@ -3,37 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-from pydantic import Field, field_validator
+from pydantic import Field
 
-from estimator.config import Config
 from sim.frame import Frame
+from sim.some_cameras import SomeCameras
 
-ALL = "all"
 _ROUNDING_S = 1e-9  # three tenths of a second is not quite two tenths and one
 
 
-class Fault(Config):
+class Fault(SomeCameras):
     """Something wrong with the images of some cameras, all drive long."""
 
     kind: str
-    camera: str | list[str]
-
-    @field_validator("camera", mode="before")
-    @classmethod
-    def _is_a_name_or_several(cls, value: object) -> object:
-        names = value if isinstance(value, list) else [value]
-        if not names or not all(isinstance(name, str) and name for name in names):
-            raise ValueError(f"got {value!r}, wanted the name of a camera, a list of names, or all")
-        return value
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The cameras as written; ``("all",)`` for all."""
-        return (self.camera,) if isinstance(self.camera, str) else tuple(self.camera)
-
-    def strikes(self, camera: str) -> bool:
-        """Tell whether this camera's images suffer."""
-        return self.camera == ALL or camera in self.names
 
     def lasts(self, time_s: float) -> bool:
         """Tell whether the fault is there at an instant, counted from the drive's start."""

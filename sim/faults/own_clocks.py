@@ -51,7 +51,7 @@ class CamerasOnClocks(Generic[LensT]):
         by_clock: dict[tuple[int, ...], list[str]] = {}
         offsets = [fault for fault in faults if isinstance(fault, ClockOffset)]
         for name in lenses:
-            clock = tuple(index for index, fault in enumerate(offsets) if fault.strikes(name))
+            clock = tuple(index for index, fault in enumerate(offsets) if fault.concerns(name))
             by_clock.setdefault(clock, []).append(name)
         self._groups = [
             _Group(

@@ -8,8 +8,9 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field, field_validator
 
-from sim.faults.fault import ALL, PassingFault
+from sim.faults.fault import PassingFault
 from sim.frame import Frame
+from sim.some_cameras import ALL
 
 _NS_PER_MS = 1_000_000
 

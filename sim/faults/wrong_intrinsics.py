@@ -45,6 +45,6 @@ def with_true_lenses(stated: Rig, faults: Iterable[Fault]) -> Rig:
     for fault in faults:
         if isinstance(fault, WrongIntrinsics):
             for name, mounted in cameras.items():
-                if fault.strikes(name):
+                if fault.concerns(name):
                     cameras[name] = MountedCamera(fault.true_camera(mounted.camera), mounted.ego_from_cam)
     return replace(stated, cameras=cameras)

@@ -89,7 +89,7 @@ def moving_mounts(nominal: Rig, config: MiscalibrationConfig, seed: int) -> Moun
         name: [
             _movement(event, rng_for(seed, f"miscalibration.{name}.event.{index}"))
             for index, event in enumerate(config.events)
-            if event.moves(name)
+            if event.concerns(name)
         ]
         for name in nominal.estimated_names
     }

@@ -10,17 +10,16 @@ from collections.abc import Sequence
 from typing import Annotated, Literal, Self
 
 import numpy as np
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
-from estimator.config import Config
 from estimator.errors import InputError
 from estimator.rig import Rig
+from sim.some_cameras import SomeCameras, check_begins, check_names
 
-ALL = "all"
 _PARTS = ((0.5, 1.0), (0.3, 0.87), (0.2, 1.11))  # of a vibration: weight, frequency ratio; they beat
 
 
-class MountEvent(Config):
+class MountEvent(SomeCameras):
     """What all events say; a list's place seeds the directions, so times and sizes may change alone.
 
     Attributes:
@@ -31,32 +30,14 @@ class MountEvent(Config):
     """
 
     at_s: float = Field(ge=0.0, le=7200.0)
-    camera: str | list[str]
     rotation_deg: float = Field(0.0, ge=0.0, le=30.0)
     translation_mm: float = Field(0.0, ge=0.0, le=1000.0)
-
-    @field_validator("camera", mode="before")
-    @classmethod
-    def _is_a_name_or_several(cls, value: object) -> object:
-        names = value if isinstance(value, list) else [value]
-        if not names or not all(isinstance(name, str) and name for name in names):
-            raise ValueError(f"got {value!r}, wanted the name of a camera, a list of names, or all")
-        return value
 
     @model_validator(mode="after")
     def _moves_something(self) -> Self:
         if self.rotation_deg == 0 and self.translation_mm == 0:
             raise ValueError("nothing would move; wanted rotation_deg or translation_mm above 0")
         return self
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The cameras as written."""
-        return (self.camera,) if isinstance(self.camera, str) else tuple(self.camera)
-
-    def moves(self, camera: str) -> bool:
-        """Tell whether it happens to that camera, which is not the reference."""
-        return self.camera == ALL or camera in self.names
 
     def share(self, time_s: float, phases: Sequence[float]) -> float:
         """Return how much of the movement there is at a time; ``phases`` are random, 0 to 1."""
@@ -115,23 +96,16 @@ AnyMountEvent = Annotated[Knock | Creep | Thermal | Vibration, Field(discriminat
 
 def check_events(events: Sequence[MountEvent], rig: Rig) -> None:
     """Raise InputError where an event names a camera that is not in the rig, or the reference."""
-    there = f"there are: {', '.join(rig.estimated_names)}, or all"
     for index, event in enumerate(events):
-        for name in event.names:
-            key = f"miscalibration.events[{index}].camera"
-            if name == rig.reference:
-                raise InputError(
-                    f"{key}: got {name!r}, the reference camera, whose pose is known and fixed; {there}"
-                )
-            if name not in (*rig.cameras, ALL):
-                raise InputError(f"{key}: got {name!r}, wanted a camera of the rig; {there}")
+        if rig.reference in event.names:
+            raise InputError(
+                f"miscalibration.events[{index}].camera: got {rig.reference!r}, the reference camera, whose "
+                f"pose is known and fixed; there are: {', '.join(rig.estimated_names)}, or all"
+            )
+    check_names("miscalibration.events", events, rig.estimated_names)
 
 
 def check_times(events: Sequence[MountEvent], end_s: float) -> None:
     """Raise InputError where an event begins after the drive's end."""
     for index, event in enumerate(events):
-        if event.at_s > end_s:
-            raise InputError(
-                f"miscalibration.events[{index}].at_s: got {event.at_s:g}, "
-                f"wanted no more than {end_s:.2f}, when the drive ends"
-            )
+        check_begins("miscalibration.events", index, event.at_s, end_s)

@@ -84,7 +84,7 @@ def effect(sound: Path, scenario: Scenario, folder: Path) -> str:
     struck = [
         name
         for name in scenario.rig.estimated_names
-        if any(fault.strikes(name) for fault in scenario.world.faults)
+        if any(fault.concerns(name) for fault in scenario.world.faults)
     ]
     others = [name for name in scenario.rig.estimated_names if name not in struck]
     states = ", ".join(f"{name} {result.final.cameras[name].status}" for name in struck)

@@ -87,7 +87,7 @@ def test_an_estimator_answers_for_every_camera(name: str, bundles_of: FirstBundl
 def sound_cameras(scenario: Scenario, snapshot: Snapshot) -> list[str]:
     """Return the cameras that no fault strikes at this instant."""
     return [
-        name for name in scenario.rig.cameras if not any(fault.strikes(name) for fault in snapshot.faults)
+        name for name in scenario.rig.cameras if not any(fault.concerns(name) for fault in snapshot.faults)
     ]
 
 
