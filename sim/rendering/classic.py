@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from types import TracebackType
-from typing import Self
 
 import mujoco
 import numpy as np
@@ -13,6 +11,7 @@ import numpy.typing as npt
 
 from estimator.camera import Camera
 from estimator.se3 import Array
+from sim.rendering.closing import Closing
 from sim.rendering.culling import in_view
 from sim.rendering.frustum import frustum_of
 from sim.rendering.gl import no_gl_error, open_context
@@ -26,7 +25,7 @@ SKY_SHARE = 0.694  # of the far plane: nowhere does MuJoCo draw the sky nearer (
 MOST_GEOMS = 20_000
 
 
-class ClassicRenderer:
+class ClassicRenderer(Closing):
     """Draws any pinhole view of a model's state; ``sim.rendering.view.Renderer`` says how."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
@@ -106,14 +105,6 @@ class ClassicRenderer:
         self._gl.make_current()
         self._context.free()
         self._gl.free()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 @contextmanager

@@ -11,13 +11,13 @@ import copy
 import gc
 from collections.abc import Mapping
 from importlib import import_module
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
 import cv2
 import mujoco
 import numpy as np
 
+from sim.rendering.closing import Closing
 from sim.rendering.filament_light import FilamentLights
 from sim.rendering.frustum import frustum_of
 from sim.rendering.quality import sampling_of
@@ -27,7 +27,7 @@ from sim.rendering.view import FAR_M, NEAR_M, DepthImage, Picture, RgbImage, Vie
 _SRGB = 2  # mjCOLORSPACE_SRGB: textures else count as linear, and all looks pale
 
 
-class FilamentRenderer:
+class FilamentRenderer(Closing):
     """Draws any pinhole view of a model's state; ``sim.rendering.view.Renderer`` says how."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
@@ -125,14 +125,6 @@ class FilamentRenderer:
             del self._renderables, self._lights, self._scene
             del self._context
             gc.collect()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 def _with_srgb_textures(model: mujoco.MjModel) -> mujoco.MjModel:

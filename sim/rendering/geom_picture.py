@@ -8,14 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import TracebackType
-from typing import Self
 
 import mujoco
 import numpy as np
 import numpy.typing as npt
 
 from sim.rendering.classic import MOST_GEOMS, aim, metres_of_z_buffer, only
+from sim.rendering.closing import Closing
 from sim.rendering.culling import in_view
 from sim.rendering.gl import no_gl_error, open_context
 from sim.rendering.view import DepthImage, View
@@ -37,7 +36,7 @@ class GeomPicture:
     depth_m: DepthImage
 
 
-class GeomRenderer:
+class GeomRenderer(Closing):
     """Draws geoms instead of colours; a context manager, complete once constructed."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
@@ -92,14 +91,6 @@ class GeomRenderer:
         self._gl.make_current()
         self._context.free()
         self._gl.free()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 def _plain_context(model: mujoco.MjModel) -> mujoco.MjrContext:

@@ -7,8 +7,7 @@ its own. Works beside a MuJoCo context in one process.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import TracebackType
-from typing import Any, Self
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -18,6 +17,7 @@ from pyrender.constants import RenderFlags
 from pyrender.renderer import Renderer as Pipeline
 
 from estimator.se3 import SE3, Array
+from sim.rendering.closing import Closing
 from sim.rendering.culling import in_view
 from sim.rendering.pyrender_scene import PyrenderScene
 from sim.rendering.quality import sampling_of
@@ -27,7 +27,7 @@ from sim.rendering.view import FAR_M, NEAR_M, Picture, RgbImage, View
 _CAM_FROM_GLCAM = SE3(np.diag([1.0, -1.0, -1.0]))
 
 
-class PyrenderRenderer:
+class PyrenderRenderer(Closing):
     """Draws any pinhole view of a model's state; ``sim.rendering.view.Renderer`` says how."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
@@ -98,14 +98,6 @@ class PyrenderRenderer:
         EGL.eglDestroyContext(platform._egl_display, platform._egl_context)
         platform._egl_context = platform._egl_display = None
         self._canvas._platform = self._canvas._renderer = None
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.close()
 
 
 class _OrderedPipeline(Pipeline):  # type: ignore[misc]
