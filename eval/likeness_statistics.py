@@ -13,7 +13,6 @@ from estimator.bundle import Image
 from estimator.se3 import Array
 
 SURVIVAL_AFTER = (1, 5, 10)  # frames
-_STARTS_EVERY = 5  # frames between the beginnings of two survival counts
 _PER_PX = 1e5  # corner counts are told per 100 kpx
 _FAST_THRESHOLD = 20
 _SLOPE_BAND = (0.02, 0.4)  # cycles a pixel
@@ -25,13 +24,13 @@ Statistics = dict[str, Array]
 
 
 def statistics_of(frames: Sequence[Image]) -> Statistics:
-    """Return every statistic's values, one a frame; KLT survival one for every fifth frame.
+    """Return every statistic's values, one a frame; KLT survival one for every frame with ten more behind it.
 
     Args:
         frames: (H, W) grey, of one camera in order, more than ten of them.
     """
     gradients = [_gradient(frame) for frame in frames]
-    starts = range(0, len(frames) - max(SURVIVAL_AFTER), _STARTS_EVERY)
+    starts = range(len(frames) - max(SURVIVAL_AFTER))
     survivals = np.array([_survival(frames[start : start + max(SURVIVAL_AFTER) + 1]) for start in starts])
     per_px = _PER_PX / frames[0].size
     return {
@@ -78,24 +77,32 @@ def _spectrum_slope(frame: Image) -> float:
 
 def _survival(frames: Sequence[Image]) -> list[float]:
     """Return what share of 200 corners of the first frame is tracked, forward and back, in each later one."""
-    points = cv2.goodFeaturesToTrack(frames[0], 200, 0.01, 10)
-    if points is None:
+    points = corners_to_follow(frames[0])
+    if not len(points):
         return [0.0] * (len(frames) - 1)
     alive, shares = points, []
     for before, after in pairwise(frames):
         if len(alive):
-            alive = _followed(before, after, alive)
+            moved, kept = follow(before, after, alive)
+            alive = moved[kept]
         shares.append(len(alive) / len(points))
     return shares
 
 
-def _followed(before: Image, after: Image, points_px: Array) -> Array:
+def corners_to_follow(frame: Image) -> Array:
+    """Return the (N, 1, 2) pixels, as float32, of at most 200 corners."""
+    points_px = cv2.goodFeaturesToTrack(frame, 200, 0.01, 10)
+    return np.zeros((0, 1, 2), np.float32) if points_px is None else np.asarray(points_px)
+
+
+def follow(before: Image, after: Image, points_px: Array) -> tuple[Array, npt.NDArray[np.bool_]]:
+    """Return where (N, 1, 2) points of one frame are in the next, and which (N,) of them are kept."""
     moved_px, found = _flow(before, after, points_px)
     back_px, found_back = _flow(after, before, moved_px)
     returned = np.linalg.norm(back_px - points_px, axis=2).ravel() < _WORST_RETURN_PX
     farthest_px = np.array(after.shape[::-1]) - _BORDER_PX
     inside = ((moved_px[:, 0] > _BORDER_PX) & (moved_px[:, 0] < farthest_px)).all(axis=1)
-    return np.asarray(moved_px[found & found_back & returned & inside])
+    return moved_px, np.asarray(found & found_back & returned & inside)
 
 
 def _flow(before: Image, after: Image, points_px: Array) -> tuple[Array, npt.NDArray[np.bool_]]:

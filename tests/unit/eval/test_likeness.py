@@ -21,7 +21,9 @@ def passing_texture() -> list[Image]:
 
 
 def test_the_figures_are_those_of_the_tool_that_measured_the_real_drives() -> None:
-    means = {name: float(values.mean()) for name, values in statistics_of(passing_texture()).items()}
+    found = statistics_of(passing_texture())
+    # That tool begins to count survivors at every fifth frame, this one at every frame.
+    means = {name: values[:: 5 if "klt" in name else 1].mean() for name, values in found.items()}
     measured = {  # by that tool, on these frames, rounded
         "fast20_per_100kpx": 2076.2,
         "gftt_per_100kpx": 1915.4,
@@ -42,7 +44,7 @@ def test_the_figures_are_those_of_the_tool_that_measured_the_real_drives() -> No
 def test_a_blank_wall_is_all_textureless_and_keeps_no_track() -> None:
     statistics = statistics_of([np.full((60, 80), 90, np.uint8)] * 12)
     assert statistics["textureless_share"].tolist() == [1.0] * 12
-    assert statistics["klt_survival_1"].tolist() == [0.0]
+    assert statistics["klt_survival_1"].tolist() == [0.0] * 2  # ten frames are left behind two of them
     assert not any(each.inside for each in compare_with_real(statistics) if "klt" in each.name)
 
 
