@@ -6,8 +6,7 @@ import re
 from pathlib import Path
 from typing import Any, get_args
 
-from pydantic.fields import FieldInfo
-
+from estimator.config_range import range_of
 from scenarios.bundled import bundled_names
 from scenarios.load import load_scenario
 from scenarios.sweep import load_sweep
@@ -42,18 +41,11 @@ def fault_table() -> str:
 
 def _keys(fault: type[Fault]) -> list[str]:
     own = {name: field for name, field in fault.model_fields.items() if name not in _SHARED}
-    return [f"`{name}` {_text(field.default)}{_range(field)}" for name, field in own.items()]
-
-
-def _range(field: FieldInfo) -> str:
-    bounds = {
-        key: _text(getattr(mark, key))
-        for mark in field.metadata
-        for key in ("gt", "ge", "le")
-        if hasattr(mark, key)
-    }
-    low = f"over {bounds['gt']}" if "gt" in bounds else bounds.get("ge", "")
-    return f" ({low} to {bounds['le']})" if low and "le" in bounds else ""
+    ranges = {name: range_of(field.metadata) for name, field in own.items()}
+    return [
+        f"`{name}` {_text(field.default)}{ranges[name] and f' ({ranges[name]})'}"
+        for name, field in own.items()
+    ]
 
 
 def _text(value: Any) -> str:

@@ -8,12 +8,10 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from estimator.config_path import follow
+from estimator.config_range import range_at
+from estimator.did_you_mean import did_you_mean
 
 _LONGEST = 60
-_OTHER_BOUNDS = {
-    "greater_than": {"lt": "less than", "le": "less than or equal to"},
-    "less_than": {"gt": "greater than", "ge": "greater than or equal to"},
-}
 
 
 def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
@@ -28,7 +26,8 @@ def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
         return f"{path}: missing"
     if first["type"] == "extra_forbidden":
         keys = _keys_at(model, first["loc"][:-1])
-        return f"{path}: unknown key" + (f"; there are: {', '.join(keys)}" if keys else "")
+        there = f"; there are: {', '.join(keys)}" if keys else ""
+        return f"{path}: unknown key{there}{did_you_mean(str(first['loc'][-1]), keys)}"
     if first["type"] == "union_tag_not_found":
         return f"{key_path([*location, _tag_key(first)])}: missing"
     if first["type"] == "union_tag_invalid":
@@ -44,20 +43,12 @@ def describe_first_error(error: ValidationError, model: type[BaseModel]) -> str:
         return f"{path}: got {got}, wanted {_choices(details, path, model)}"
     if first["type"] == "value_error":
         return f"{path}: {first['ctx']['error']}"
+    bounds = range_at(model, first["loc"])
+    if bounds and first["type"].startswith(("greater_than", "less_than")):
+        return f"{path}: got {got}, wanted {bounds}"
     wanted = first["msg"].removeprefix("Input should be ").replace("a valid tuple", "a list")
     wanted = wanted.replace("a valid ", "a ").replace("a integer", "an integer")
-    return f"{path}: got {got}, wanted {wanted}{_other_bound(first, model)}"
-
-
-def _other_bound(error: ErrorDetails, model: type[BaseModel]) -> str:
-    """Return the far end of the range of which a value broke the near one."""
-    words = _OTHER_BOUNDS.get(error["type"].removesuffix("_equal"), {})
-    _, group = follow(model, error["loc"][:-1])
-    if not words or not (isinstance(group, type) and issubclass(group, BaseModel)):
-        return ""
-    field = group.model_fields[str(error["loc"][-1])]
-    bounds = [(word, getattr(mark, key, None)) for mark in field.metadata for key, word in words.items()]
-    return "".join(f" and {word} {bound:g}" for word, bound in bounds if bound is not None)
+    return f"{path}: got {got}, wanted {wanted}{bounds and f', {bounds}'}"
 
 
 def _choices(details: Sequence[ErrorDetails], path: str, model: type[BaseModel]) -> str:

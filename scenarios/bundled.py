@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Literal
 
+from estimator.did_you_mean import did_you_mean
 from estimator.errors import InputError
 
 Kind = Literal["scenario", "sweep", "rig"]
@@ -43,12 +43,11 @@ def find_file(kind: Kind, reference: str, relative_to: Path) -> Path:
         return path
     names = bundled_names(kind)
     if reference not in names:
-        raise InputError(
-            f"{kind} {reference!r} is not known; there are: {', '.join(names)}{_hint(reference, names)}"
-        )
+        beside = [
+            f"./{reference}{suffix}"
+            for suffix in _SUFFIXES
+            if (relative_to / f"{reference}{suffix}").is_file()
+        ]
+        hint = f" (did you mean the file {beside[0]}?)" if beside else did_you_mean(reference, names)
+        raise InputError(f"{kind} {reference!r} is not known; there are: {', '.join(names)}{hint}")
     return bundled_path(kind, reference)
-
-
-def _hint(wrong: str, names: tuple[str, ...]) -> str:
-    close = get_close_matches(wrong, names, n=1)
-    return f" (did you mean {close[0]!r}?)" if close else ""

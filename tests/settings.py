@@ -48,6 +48,15 @@ class Setting:
         """The largest value."""
         return _bound(self.field, Le, Lt, -1e-3)
 
+    @property
+    def range(self) -> str:
+        """Both ends of the range, as an error tells it."""
+        low = f"{self._mark('ge'):g}" if self._mark("ge") is not None else f"over {self._mark('gt'):g}"
+        return f"{low} to {self._mark('le'):g}"
+
+    def _mark(self, name: str) -> Any:
+        return next((getattr(mark, name) for mark in self.field.metadata if hasattr(mark, name)), None)
+
     def set_to(self, value: str) -> str:
         """Return the text after ``--set`` that gives this setting a value, all around it being valid."""
         path, index, key = self.path.partition("[0].")

@@ -88,7 +88,7 @@ def test_writing_makes_a_file_that_reads_back(tmp_path: Path) -> None:
 
 
 BAD = [
-    ("[640, 400]", "[-640, 400]", "cameras.front.size_px[0]: got -640, wanted greater than 0"),
+    ("[640, 400]", "[-640, 400]", "cameras.front.size_px[0]: got -640, wanted over 0 to 100000"),
     ("[640, 400]", "[640.5, 400]", "cameras.front.size_px[0]: got 640.5, wanted an integer"),
     ("[640, 400]", "[true, 400]", "cameras.front.size_px[0]: got True, wanted an integer"),
     ("[640, 400]", "[640]", "cameras.front.size_px[1]: missing"),

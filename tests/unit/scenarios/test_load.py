@@ -63,9 +63,9 @@ def test_bases_in_a_circle_are_refused(tmp_path: Path) -> None:
             "drive.speed: unknown key; there are: distance_m, grip, lateral_mps2",
         ),
         (ABOUT + "speed: 5", "speed: unknown key; there are: about, drive"),
-        (ABOUT + "drive: {speed_mps: .nan}", "drive.speed_mps: got nan, wanted a finite number"),
-        (ABOUT + "drive: {speed_mps: -1}", "drive.speed_mps: got -1, wanted greater than or equal to 0.2"),
-        (ABOUT + "drive: {speed_mps: 41}", "got 41, wanted less than or equal to 40 and greater than or equ"),
+        (ABOUT + "drive: {speed_mps: .nan}", "drive.speed_mps: got nan, wanted a finite number, 0.2 to 40"),
+        (ABOUT + "drive: {speed_mps: -1}", "drive.speed_mps: got -1, wanted 0.2 to 40"),
+        (ABOUT + "drive: {speed_mps: 41}", "got 41, wanted 0.2 to 40"),
         (
             ABOUT + "miscalibration: {events: [{at_s: 1, camera: reer, kind: knock, rotation_deg: 1}]}",
             "miscalibration.events[0].camera: got 'reer', wanted a camera of the rig; there are: front_r",
@@ -74,7 +74,8 @@ def test_bases_in_a_circle_are_refused(tmp_path: Path) -> None:
             ABOUT + "miscalibration: {events: [{at_s: 1, camera: rear, kind: knock}]}",
             "miscalibration.events[0]: nothing would move; wanted rotation_deg or translation_mm above 0",
         ),
-        (ABOUT + "drive: {speed_mps: '5'}", "drive.speed_mps: got '5', wanted a number"),
+        (ABOUT + "drive: {speed_mps: '5'}", "drive.speed_mps: got '5', wanted a number, 0.2 to 40"),
+        (ABOUT + "drive: {sped_mps: 5}", "speed_mps (did you mean 'speed_mps'?)"),
         (ABOUT + "drive: 5", "drive: got 5, wanted keys with values"),
         (ABOUT + "base: nope", "base: scenario 'nope' is not known; there are: "),
         (ABOUT + "base: [1]", "base: got [1], wanted the name or file"),
@@ -108,6 +109,14 @@ def test_a_wrong_set_is_one_line(setting: str, message: str) -> None:
     with pytest.raises(InputError) as error:
         load_scenario("first_drive", [setting])
     assert message in str(error.value)
+
+
+def test_a_file_beside_it_that_was_meant_is_named(tmp_path: Path) -> None:
+    write(tmp_path, "lower", ABOUT)
+    with pytest.raises(
+        InputError, match=r"base: scenario 'lower' is not .* \(did you mean the file"
+    ):
+        load_scenario(write(tmp_path, "upper", "base: lower"))
 
 
 def test_an_error_names_the_file_that_holds_the_key(tmp_path: Path) -> None:

@@ -17,13 +17,29 @@ from scenarios.load import load_scenario
         ("{kind: off, camera: reer}", "faults[0].camera: got 'reer', wanted a camera of the rig; there are:"),
         ("{kind: off, camera: [rear, 3]}", "faults[0].camera: got ['rear', 3], wanted the name of a camera"),
         ("{kind: off, camera: rear, probability: 1}", "faults[0].probability: unknown key; there are: at_s,"),
-        ("{kind: off, camera: rear, at_s: -1}", "faults[0].at_s: got -1, wanted greater than or equal to 0"),
-        ("{kind: off, camera: rear, duration_s: 0}", "faults[0].duration_s: got 0, wanted greater than 0"),
-        ("{kind: dropped, camera: rear, probability: 1.1}", "faults[0].probability: got 1.1, wanted less"),
+        ("{kind: off, camera: rear, at_s: -1}", "faults[0].at_s: got -1, wanted 0 to 3600"),
+        ("{kind: off, camera: rear, duration_s: 0}", "faults[0].duration_s: got 0, wanted over 0 to 3600"),
+        (
+            "{kind: dropped, camera: rear, probability: 1.1}",
+            "faults[0].probability: got 1.1, wanted over 0",
+        ),
         ("{kind: swapped, camera: rear}", "faults[0].camera: got 'rear', wanted a list"),
         ("{kind: swapped, camera: [rear, rear]}", "faults[0].camera: got ['rear', 'rear'], wanted two diff"),
         ("{kind: wrong_resolution, camera: rear, size_px: [9]}", "faults[0].size_px: got 1 values, wanted 2"),
+        (
+            "{kind: wrong_resolution, camera: rear, size_px: [9, 4097]}",
+            "faults[0].size_px[1]: got 4097, wanted 8 to 4096",
+        ),
+        (
+            "{kind: wrong_intrinsics, camera: rear, center_px: [.nan, 0]}",
+            "faults[0].center_px[0]: got nan, wanted a finite number, -200 to 200",
+        ),
         ("{kind: wrong_intrinsics, camera: rear, at_s: 1}", "faults[0].at_s: unknown key; there are: camera"),
+        (
+            "{kind: dropped, camera: rear, probabilty: 1}",
+            "faults[0].probabilty: unknown key; there are: at_s, camera, duration_s, kind, probability "
+            "(did you mean 'probability'?)",
+        ),
         ("off", "faults[0]: got 'off', wanted keys with values"),
     ],
 )
