@@ -1,10 +1,11 @@
 """Do the bundled streets look like real ones to a feature tracker?
 
 ``python -m tests.benchmark.likeness [SCENARIO ...] [--seeds 0,1,2] [--set KEY=VALUE ...] [--images FOLDER]``
-drives with the forward camera alone, without sensor noise, takes a frame a metre and prints the statistics of
-``rigtrue likeness``: mean, and 10th to 90th percentile of the frames, each marked where it leaves the real
-drives' range. With ``--video`` the frames are as far apart in time as a metre takes at cruising speed, as
-a real camera takes them, so they lie closer where the car slows down. Exit code 1 if any mean is outside.
+drives with the forward camera alone, without sensor noise, takes a frame a metre of the whole drive (of a
+closed route once round) and prints the statistics of ``rigtrue likeness``: mean, and 10th to 90th percentile
+of the frames, each marked where it leaves the real drives' range. With ``--video`` the frames are as far
+apart in time as a metre takes at cruising speed, as a real camera takes them, so they lie closer where the
+car slows down. Exit code 1 if any mean is outside.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from sim.scene import build_scene
 from sim.sensing.capture import CameraArray
 from sim.stage import Stage
 from sim.vehicle.plan import SpeedPlan
+from sim.vehicle.route import Route
 
 PLAIN_URBAN = (
     "straight_road",
@@ -40,7 +42,6 @@ PLAIN_URBAN = (
     "roundabout",
 )
 _ROWS = slice(81, 320)  # without sky and the car's own bonnet, as the real drives were measured
-_FRAMES = 50
 _SPACING_M = 1.0
 _LOOKS_S = 0.01
 
@@ -61,20 +62,21 @@ def frames_of(name: str, seed: int, settings: Sequence[str], as_video: bool = Fa
     stage = Stage(scene, world.drive)
     air = None if scene.atmosphere is None else OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
     camera = CameraArray(scene.lenses, world.sensor, seed, air)
-    even_s = _SPACING_M / world.drive.speed_mps
-    times_s = (
-        np.arange(0.0, stage.plan.duration_s, even_s)[:_FRAMES] if as_video else _each_metre_s(stage.plan)
-    )
+    until_s, each_metre_s = _each_metre_s(stage.plan, scene.route)
+    even_s = np.arange(0.0, until_s, _SPACING_M / world.drive.speed_mps)
+    times_s = even_s if as_video else each_metre_s
     with open_renderer(world.renderer, scene.model) as renderer:
         for index, time_s in enumerate(times_s):
             yield camera.take(stage, renderer, index, time_s)[rig.reference]
 
 
-def _each_metre_s(plan: SpeedPlan) -> Array:
+def _each_metre_s(plan: SpeedPlan, route: Route) -> tuple[float, Array]:
+    """Return when the drive, or its first lap, ends, and when the car is another metre on."""
     times_s = np.arange(0.0, plan.duration_s, _LOOKS_S)
-    driven_m = [plan.distance_m(time_s) for time_s in times_s]
-    wanted_m = _SPACING_M * np.arange(_FRAMES)
-    return np.array([times_s[k] for k in np.searchsorted(driven_m, wanted_m) if k < len(times_s)])
+    driven_m = np.array([plan.distance_m(time_s) for time_s in times_s])
+    end_m = min(driven_m[-1], route.length_m if route.closed else np.inf)
+    metres = times_s[np.searchsorted(driven_m, np.arange(0.0, end_m, _SPACING_M))]
+    return float(times_s[np.searchsorted(driven_m, end_m)]), metres
 
 
 def _cell(one: Likeness) -> str:
