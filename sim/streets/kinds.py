@@ -43,7 +43,7 @@ SHORTEST_M = {
     "straight": (20.0, "the drive"),
     "bend": (20.0, "the drive"),
     "crossroads": (35.0, "the first crossing"),
-    "t_junction": (40.0, "the way to the junction and round the turn"),
+    "t_junction": (50.0, "the way to the junction and round the turn"),
     "roundabout": (70.0, "the way to the roundabout and round it"),
     "loop": (200.0, "once round a block with houses inside"),
     "motorway": (50.0, "the drive"),

@@ -14,7 +14,11 @@ RAMP_M = 2.0  # over which a turn sets in: nobody jerks the wheel
 
 
 def rounded_path(
-    corners_m: Array, radii_m: Sequence[float], closed: bool = False, start_m: float = 0.0
+    corners_m: Array,
+    radii_m: Sequence[float],
+    closed: bool = False,
+    start_m: float = 0.0,
+    ramp_m: float = RAMP_M,
 ) -> Path:
     """Return the path along straight lines joined by arcs.
 
@@ -23,6 +27,7 @@ def rounded_path(
         radii_m: K radii; those of open ends are ignored.
         closed: Whether the last corner is joined to the first; the path then starts half-way between them.
         start_m: Arc length at its first point.
+        ramp_m: Over which each arc sets in.
     """
     corners = np.asarray(corners_m, float)
     middle = (corners[-1] + corners[0]) / 2
@@ -33,7 +38,7 @@ def rounded_path(
         for k, (last, corner, then, radius) in enumerate(zip(before, corners, after, radii_m, strict=True))
     ]
     line = np.vstack([middle, *pieces, middle]) if closed else np.vstack(pieces)
-    return smoothed(path_through(line, closed, start_m))
+    return smoothed(path_through(line, closed, start_m), ramp_m)
 
 
 def _arc(before_m: Array, corner_m: Array, after_m: Array, radius_m: float) -> Array:

@@ -18,7 +18,10 @@ from sim.streets.side_road import side_road
 from sim.streets.town_streets import BEHIND_M, BEYOND_M, TOWN_SPEED_MPS, town_road
 from sim.streets.turning import right_turns
 
-_RIGHT_RADIUS_M, _LEFT_RADIUS_M = 7.5, 9.5
+_RIGHT_RADIUS_M, _LEFT_RADIUS_M = 10.0, 14.0  # on which the car turns off
+_TURN_CORNER_M = 7.5  # radius of the kerbs there
+_TURN_RAMP_M = 4.0  # over which the turn sets in
+_TURN_PAVEMENTS_M = (3.2, 3.8)  # wide enough for corner houses to stand back from the kerb
 _BLOCK_RADIUS_M = 13.0  # of the driven lane: the kerbs inside must not fold
 _BLOCK_ASPECT = 0.62  # of a block's long sides to half of its girth
 _LEAD_M = 58.0  # of the through road before the junction
@@ -27,21 +30,21 @@ _LEAD_M = 58.0  # of the through road before the junction
 def plan_t_junction(length_m: float, rng: np.random.Generator) -> Plan:
     """A street that ends at another one, into which the car turns, left or right."""
     turn = float(rng.choice([-1.0, 1.0]))
-    x_m = float(rng.uniform(20.0, 24.0))
+    x_m = float(rng.uniform(30.0, 34.0))
     middle = np.array([x_m, LANE_M / 2])  # where the middles of both roads meet
     through = _through_road(middle, turn, length_m - x_m + BEYOND_M, rng)
     stem_path = straight_path(middle, np.pi, x_m + BEHIND_M)
     span = (stem_path.start_m, stem_path.end_m)
     lanes_of_two = (Strip(-LANE_M / 2), Strip(LANE_M / 2, forward=False))
     half = LANE_M + 0.3
-    pavements = (float(rng.uniform(2.6, 3.4)), float(rng.uniform(2.6, 3.4)))
+    pavements = (float(rng.uniform(*_TURN_PAVEMENTS_M)), float(rng.uniform(*_TURN_PAVEMENTS_M)))
     stem = Road("stem", "street", stem_path, half, -half, lanes_of_two, span, pavements)
     joint = Joint("stem", "main", _LEAD_M, int(turn), zebra_after=True)
     route = _turn_route(middle, turn, length_m - x_m + BEYOND_M - 1.0)
     leaving, entering = right_turns(stem, through, joint)
     others = [*car_lanes(through, TOWN_SPEED_MPS), entering, *([leaving] if turn > 0 else [])]
     lanes = (Lane("car", route, TOWN_SPEED_MPS, is_route=True), *others)
-    return Plan((through, stem), (joint,), route, lanes)
+    return Plan((through, stem), (joint,), route, lanes, _TURN_CORNER_M)
 
 
 def _through_road(middle_m: Array, turn: float, ahead_m: float, rng: np.random.Generator) -> Road:
@@ -52,7 +55,7 @@ def _through_road(middle_m: Array, turn: float, ahead_m: float, rng: np.random.G
     half = LANE_M + 0.3
     left, right = half + PARKING_M * (parking > 0), -half - PARKING_M * (parking < 0)
     strips = (Strip(-LANE_M / 2), Strip(LANE_M / 2, forward=False))
-    pavements = (float(rng.uniform(2.4, 3.2)), float(rng.uniform(2.4, 3.2)))
+    pavements = (float(rng.uniform(*_TURN_PAVEMENTS_M)), float(rng.uniform(*_TURN_PAVEMENTS_M)))
     return Road("main", "street", path, left, right, strips, (0.0, path.end_m), pavements, (parking,))
 
 
@@ -62,7 +65,7 @@ def _turn_route(middle_m: Array, turn: float, ahead_m: float) -> Path:
     corner = np.array([middle_m[0] + turn * LANE_M / 2, 0.0])
     ends = np.array([[-BEHIND_M, 0.0], corner, corner + (ahead_m + LANE_M / 2) * ahead])
     radius = _LEFT_RADIUS_M if turn > 0 else _RIGHT_RADIUS_M
-    return rounded_path(ends, (0.0, radius, 0.0), start_m=-BEHIND_M)
+    return rounded_path(ends, (0.0, radius, 0.0), start_m=-BEHIND_M, ramp_m=_TURN_RAMP_M)
 
 
 def plan_loop(length_m: float, rng: np.random.Generator) -> Plan:
