@@ -25,6 +25,7 @@ from sim.light.sprites import add_lamps
 from sim.light.surfaces import Floats, Surfaces
 from sim.light.surroundings import Surroundings
 from sim.light.tunnels import TunnelShade
+from sim.light.vehicles import Vehicle, driven_vehicle
 from sim.light.weather import WeatherConfig
 from sim.light.wet_lens import WetLens
 from sim.light.wet_road import WetRoad
@@ -45,11 +46,13 @@ class Instant:
         time_s: Since the drive began.
         world_from_ego: Pose of the car.
         velocity_mps: (3,) of the car in the world.
+        vehicles: Those of the traffic that are near.
     """
 
     time_s: float
     world_from_ego: SE3
     velocity_mps: Array
+    vehicles: tuple[Vehicle, ...] = ()
 
 
 class Atmosphere:
@@ -127,9 +130,10 @@ class Atmosphere:
             light = grey(rgb) * np.float32(self._daylight.level)
             return light if left is None else light * surfaces.enlarged(left)
         sources = self._relight.near(surfaces)
-        lamplight = self._relight.lamplight(surfaces, sources, instant.world_from_ego)
+        own = driven_vehicle(instant.world_from_ego)
+        lamplight = self._relight.lamplight(surfaces, sources, own, instant.vehicles)
         light = self._relight.together(split(rgb), surfaces, daylight, lamplight, left)
-        add_lamps(light, sources, view, surfaces.depth_m)
+        add_lamps(light, [*sources, *self._relight.on_cars(instant.vehicles)], view, surfaces.depth_m)
         return light
 
     def _through_air(
@@ -143,8 +147,10 @@ class Atmosphere:
         air += np.float32(_TOWN_AIR * min(1.0, self._weather.night))
         result = air + arrives * (light - air)
         if self.in_channels:
-            haze = lamp_haze(self._relight.near(surfaces), surfaces, per_m)
-            haze += self._relight.headlights * headlight_haze(instant.world_from_ego, surfaces, per_m)
+            sources = [*self._relight.near(surfaces), *self._relight.facing(surfaces, instant.vehicles)]
+            haze = lamp_haze(sources, surfaces, per_m)
+            own = driven_vehicle(instant.world_from_ego)
+            haze += self._relight.headlights * headlight_haze(own, surfaces, per_m)
             result += cv2.resize(haze, light.shape[::-1], interpolation=cv2.INTER_LINEAR)
         return np.asarray(result, np.float32)
 

@@ -12,10 +12,10 @@ from collections.abc import Sequence
 import cv2
 import numpy as np
 
-from estimator.se3 import SE3
-from sim.light.headlights import hazy_beam, headlight_places_m
+from sim.light.headlights import hazy_beam
 from sim.light.lamps import LightSource
 from sim.light.surfaces import Floats, Surfaces
+from sim.light.vehicles import Vehicle
 from sim.light.weather import WeatherConfig, on_ladder
 
 _CONTRAST_SEEN = 3.0  # optical thickness at the meteorological range: a contrast of 5 percent
@@ -55,17 +55,17 @@ def lamp_haze(sources: Sequence[LightSource], surfaces: Surfaces, per_m: float) 
     return _finer(total * np.float32(_WHITE * per_m / 4), surfaces)
 
 
-def headlight_haze(world_from_ego: SE3, surfaces: Surfaces, per_m: float) -> Floats:
-    """Return (h, w) levels that the car's own beams add.
+def headlight_haze(car: Vehicle, surfaces: Surfaces, per_m: float) -> Floats:
+    """Return (h, w) levels that a car's beams add.
 
     Sampled along the ray at equal angles seen from the lamp, which cancels the inverse square (Kulla and
     Fajardo 2012, "Importance sampling techniques for path tracing in participating media").
     """
     rays, reach = _rays(surfaces)
-    turn = world_from_ego.rotation.T.astype(np.float32)
+    turn = car.world_from_car.rotation.T.astype(np.float32)
     rays = np.einsum("ij,jhw->ihw", turn, rays)
     total = np.zeros(reach.shape, np.float32)
-    for place in headlight_places_m(world_from_ego):
+    for place in car.world_from_car.apply(car.headlamps_m):
         to_lamp = turn @ (place.astype(np.float32) - surfaces.eye_m)
         nearest = np.einsum("i,ihw->hw", to_lamp, rays)
         apart = np.sqrt(np.maximum(float(to_lamp @ to_lamp) - nearest**2, np.float32(0.01)))

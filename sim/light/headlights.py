@@ -1,15 +1,19 @@
-"""The car's own lights: two low beams with their cut-off, carried by the chassis, and two tail lamps."""
+"""Low beams of cars with their cut-off, and their tail lamps: those of the driven car and of all others.
+
+Other vehicles stop a beam; nothing else does. Seen from above that is enough, since a low beam lies low.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
-from estimator.se3 import SE3, Array
+from estimator.se3 import Array
 from sim.light.lamps import LightSource
 from sim.light.surfaces import Floats
+from sim.light.vehicles import Shade, Vehicle, shades_of
 
-_PLACES_EGO_M = ((3.38, 0.58, 0.66), (3.38, -0.58, 0.66))
-_TAILS_EGO_M = ((-1.02, 0.62, 0.75), (-1.02, -0.62, 0.75))
 _PEAK = 14.0  # illuminance at one metre, as in LightSource
 _TAIL = 0.04
 _DIP = 0.012  # tangent by which the cut-off lies under the horizon
@@ -18,29 +22,58 @@ _ABOVE = 0.015  # of the peak, above the cut-off
 _DOWN = 0.05  # tangent over which the beam fades towards the car, so that the road is lit evenly
 _HAZY, _HAZY_PEAK = 4.0, 0.25  # how much softer the beam is in fog, and what is left of its peak
 _WIDE, _WIDER = 0.30, 0.85  # tangents of the beam's width and of its skirts
+_REACH_M, _ASIDE_M = 60.0, 25.0  # ahead and aside, of what others light
+_PENUMBRA = 0.02  # tangent over which a shade fades
+# What is seen of the lamps themselves: radius, level facing it, share seen from aside.
+_FACE_M, _FACE_LEVEL, _TAIL_M, _TAIL_LEVEL, _FACE_ASIDE = 0.085, 420.0, 0.07, 26.0, 0.0
+_GLARE = 0.35  # illuminance at one metre before the car that a lamp sheds above its cut-off, for lit fog
 
 
-def headlight_light(world_from_ego: SE3, points_m: Floats, normals: Floats) -> Floats:
-    """Return the illuminance by both beams, for (3, ...) world points and normals."""
+def headlight_light(
+    car: Vehicle, others: Sequence[Vehicle], points_m: Floats, normals: Floats, *, as_one: bool = False
+) -> Floats:
+    """Return the illuminance by both beams of a car, for (3, ...) world points and normals.
+
+    Args:
+        car: Whose beams.
+        others: What stops them.
+        points_m: (3, ...) world positions.
+        normals: (3, ...) unit world normals.
+        as_one: Let one lamp in the middle stand for both, up to some distance: cheaper, and good enough for
+            beams that are not seen from behind.
+    """
     shape = points_m.shape[1:]
     points, normals = points_m.reshape(3, -1), normals.reshape(3, -1)
     total = np.zeros(points.shape[1], np.float32)
-    ego_from_world = world_from_ego.inverse()
-    turn, shift = ego_from_world.rotation.astype(np.float32), ego_from_world.translation.astype(np.float32)
-    ahead = np.flatnonzero(turn[0] @ points + shift[0] > np.float32(_PLACES_EGO_M[0][0] + 0.1))
-    points_ego = turn @ points[:, ahead] + shift[:, None]
-    normals_ego = turn @ normals[:, ahead]
-    for place in _PLACES_EGO_M:
-        away = points_ego - np.asarray(place, np.float32)[:, None]
+    car_from_world = car.world_from_car.inverse()
+    turn, shift = car_from_world.rotation.astype(np.float32), car_from_world.translation.astype(np.float32)
+    places = car.headlamps_m
+    if as_one:
+        places = places.mean(axis=0, keepdims=True)
+    x = turn[0] @ points + shift[0]
+    reached = x > np.float32(car.headlamp_m[0] + 0.1)
+    if as_one:
+        reached &= (x < _REACH_M) & (np.abs(turn[1] @ points + shift[1]) < _ASIDE_M)
+    ahead = np.flatnonzero(reached)
+    points_car = turn @ points[:, ahead] + shift[:, None]
+    normals_car = turn @ normals[:, ahead]
+    for place in places:
+        away = points_car - np.asarray(place, np.float32)[:, None]
         distance2 = np.einsum("ij,ij->j", away, away)
-        facing = np.maximum(-np.einsum("ij,ij->j", away, normals_ego), 0)
-        total[ahead] += beam(away) * facing / (distance2 * np.sqrt(distance2))
-    return total.reshape(shape)
+        facing = np.maximum(-np.einsum("ij,ij->j", away, normals_car), 0)
+        lit = beam(away) * facing / (distance2 * np.sqrt(distance2))
+        for shade in shades_of(place, car, others):
+            lit *= _past(shade, away)
+        total[ahead] += lit
+    return total.reshape(shape) * np.float32(2 / len(places))
 
 
-def headlight_places_m(world_from_ego: SE3) -> Array:
-    """Return the (2, 3) world positions of the headlights."""
-    return world_from_ego.apply(np.array(_PLACES_EGO_M))
+def _past(shade: Shade, away: Floats) -> Floats:
+    """Return the share of a lamp's light that gets past a vehicle to (3, N) points seen from it."""
+    across = away[1] / away[0]
+    from_edge = np.minimum(across - np.float32(shade.right), np.float32(shade.left) - across)
+    hidden = np.clip(from_edge / np.float32(_PENUMBRA) + np.float32(0.5), 0, 1)
+    return np.asarray(1 - hidden * (away[0] > shade.beyond_m), np.float32)
 
 
 def hazy_beam(away_ego: Floats) -> Floats:
@@ -62,11 +95,25 @@ def beam(away_ego: Floats, softness: float = 1.0) -> Floats:
     return np.asarray(np.float32(_PEAK / 1.07) * below * above * wide, np.float32)
 
 
-def tail_lamps(world_from_ego: SE3) -> tuple[LightSource, ...]:
-    """Return the tail lamps where they are now."""
-    back = -world_from_ego.rotation[:, 0]
-    places = world_from_ego.apply(np.array(_TAILS_EGO_M))
+def tail_lamps(car: Vehicle) -> tuple[LightSource, ...]:
+    """Return the tail lamps of a car where they are now."""
+    back = -car.world_from_car.rotation[:, 0]
+    places = car.world_from_car.apply(car.tail_lamps_m)
     return tuple(
-        LightSource((float(x), float(y), float(z)), (float(back[0]), float(back[1]), float(back[2])), _TAIL)
-        for x, y, z in places
+        LightSource(_triple(place), _triple(back), _TAIL, (0.05, 0.45), _TAIL_M, _TAIL_LEVEL, _FACE_ASIDE)
+        for place in places
     )
+
+
+def headlamps(car: Vehicle) -> tuple[LightSource, ...]:
+    """Return the faces of a car's headlamps, with the little that they shed above their cut-off."""
+    ahead = car.world_from_car.rotation[:, 0]
+    places = car.world_from_car.apply(car.headlamps_m)
+    return tuple(
+        LightSource(_triple(place), _triple(ahead), _GLARE, (0.05, 0.45), _FACE_M, _FACE_LEVEL, _FACE_ASIDE)
+        for place in places
+    )
+
+
+def _triple(vector: Array) -> tuple[float, float, float]:
+    return float(vector[0]), float(vector[1]), float(vector[2])

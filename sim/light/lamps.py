@@ -24,6 +24,8 @@ class LightSource:
         intensity: Illuminance at one metre; 1 makes white look as it does in flat full daylight.
         cone: Cosines of the angles off the aim where its light ends, and where it is full.
         radius_m: Of the lamp as it is seen.
+        level: Of its face, in levels of a sunny day, to who looks straight at it.
+        aside: Share of that level that shows at right angles to its aim.
     """
 
     position_m: tuple[float, float, float]
@@ -31,6 +33,8 @@ class LightSource:
     intensity: float
     cone: tuple[float, float] = (0.05, 0.45)
     radius_m: float = 0.16
+    level: float = 255.0
+    aside: float = 0.25
 
 
 def lamp_light(sources: Sequence[LightSource], points_m: Floats, normals: Floats) -> Floats:

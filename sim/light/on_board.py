@@ -8,7 +8,9 @@ import mujoco
 
 from sim.light.atmosphere import Atmosphere, Instant
 from sim.light.channels import FloatImage
+from sim.light.vehicles import vehicles_at
 from sim.rendering.view import Picture, View
+from sim.traffic.traffic import NOBODY, Traffic
 from sim.vehicle.car_state import velocity_in_ego, world_from_ego
 
 
@@ -16,10 +18,14 @@ class OnBoardAtmosphere:
     """Fulfils ``sim.sensing.atmosphere.Atmosphere``; remembers only the instant asked for last."""
 
     def __init__(
-        self, atmosphere: Atmosphere, model: mujoco.MjModel, at: Callable[[float], mujoco.MjData]
+        self,
+        atmosphere: Atmosphere,
+        model: mujoco.MjModel,
+        at: Callable[[float], mujoco.MjData],
+        traffic: Traffic = NOBODY,
     ) -> None:
-        """``at`` gives the state of the world at a time (``Stage.at``)."""
-        self._atmosphere, self._model, self._at = atmosphere, model, at
+        """``at`` gives the state of the world at a time (``Stage.at``); ``traffic`` has lamps too."""
+        self._atmosphere, self._model, self._at, self._traffic = atmosphere, model, at, traffic
         self._instant: Instant | None = None
 
     @property
@@ -40,5 +46,7 @@ class OnBoardAtmosphere:
             data = self._at(time_s)
             pose = world_from_ego(data)
             velocity_mps = pose.rotation @ velocity_in_ego(self._model, data)[3:]
-            self._instant = Instant(time_s, pose, velocity_mps)
+            lit = self._traffic if self._atmosphere.in_channels else NOBODY
+            vehicles = vehicles_at(lit, time_s, pose.translation)
+            self._instant = Instant(time_s, pose, velocity_mps, vehicles)
         return self._instant

@@ -6,16 +6,17 @@ A picture in channels is put together again: daylight as far as it reaches, lamp
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from estimator.se3 import SE3
 from sim.light.channels import Channels
 from sim.light.daylight import daylight_of
-from sim.light.headlights import headlight_light, tail_lamps
+from sim.light.headlights import headlamps, headlight_light, tail_lamps
 from sim.light.lamps import REACH_M, LightSource, lamp_light
 from sim.light.surfaces import Floats, Surfaces
 from sim.light.tunnels import CoveredRoad, TunnelShade
+from sim.light.vehicles import Vehicle
 from sim.light.weather import WeatherConfig, on_ladder
 
 _BOUNCED = 0.02  # illuminance that walls pass on in a tunnel of lamps of full strength
@@ -39,14 +40,14 @@ class Relight:
         # The darker the night, the fewer lamps burn, and the dimmer: always the same ones at a severity.
         share = on_ladder(weather.night, (1.0, 1.0, 0.85, 0.7, 0.5, 0.35))
         town = on_ladder(weather.night, (1.0, 1.0, 0.7, 0.5, 0.35, 0.22))
-        in_tunnel = on_ladder(weather.tunnel, (0.0, 4.0, 2.2, 1.2, 0.6, 0.3))
+        in_tunnel = on_ladder(weather.tunnel, (0.0, 0.33, 0.22, 0.15, 0.1, 0.06))
         self.lamps = (
             *(dimmed(lamp, lit * town) for lamp in _some(lamps, share) if lit > 0),
             *(dimmed(lamp, in_tunnel) for lamp in tunnel_lamps if in_tunnel > 0),
         )
         self.headlights = max(lit, min(1.0, weather.dusk), min(1.0, weather.tunnel))
         self.glow = town * max(lit, 0.6 * min(1.0, weather.dusk))
-        self._shade = TunnelShade(tunnels, on_ladder(weather.tunnel, (20.0, 9.0, 6.5, 5.0, 4.0, 3.2)))
+        self._shade = TunnelShade(tunnels, on_ladder(weather.tunnel, (20.0, 5.0, 4.4, 3.9, 3.5, 3.2)))
         self._bounced = _BOUNCED * in_tunnel
         self._is_shaded = bool(tunnels) and weather.tunnel > 0
         self._tunnel_depth = min(1.0, weather.tunnel)
@@ -65,13 +66,41 @@ class Relight:
         share = self._shade.daylight(surfaces.points_m)
         return np.asarray(1 - np.float32(self._tunnel_depth) * (1 - share))
 
-    def lamplight(self, surfaces: Surfaces, sources: Sequence[LightSource], world_from_ego: SE3) -> Floats:
-        """Return (h, w) illuminance by all lamps."""
-        tails = [dimmed(lamp, self.headlights) for lamp in tail_lamps(world_from_ego)]
+    def on_cars(self, others: Sequence[Vehicle]) -> list[LightSource]:
+        """Return the faces of the lamps of the traffic's cars, as bright as they are now."""
+        faces = [lamp for car in others for lamp in (*headlamps(car), *tail_lamps(car))]
+        return [replace(lamp, level=self.headlights * lamp.level) for lamp in faces]
+
+    def facing(self, surfaces: Surfaces, others: Sequence[Vehicle]) -> list[LightSource]:
+        """Return the headlamps of the traffic that glare into a view, for the air around them."""
+        found = []
+        for lamp in (lamp for car in others if car.beams > 0 for lamp in headlamps(car)):
+            away_m = surfaces.eye_m - np.array(lamp.position_m)
+            cosine = float(away_m @ np.array(lamp.aim)) / float(np.linalg.norm(away_m))
+            if cosine > 0:
+                found.append(dimmed(lamp, self.headlights * cosine))
+        return found
+
+    def lamplight(
+        self, surfaces: Surfaces, sources: Sequence[LightSource], own: Vehicle, others: Sequence[Vehicle]
+    ) -> Floats:
+        """Return (h, w) illuminance by all lamps.
+
+        Args:
+            surfaces: The view's geometry.
+            sources: Lamps of the street.
+            own: The driven car.
+            others: Cars of the traffic.
+        """
+        tails = [dimmed(lamp, self.headlights) for lamp in tail_lamps(own)]
         low, high = surfaces.points_m.reshape(3, -1).min(1), surfaces.points_m.reshape(3, -1).max(1)
         lit = [lamp for lamp in (*sources, *tails) if _within(lamp, low, high)]
         total = lamp_light(lit, surfaces.points_m, surfaces.normals)
-        beams = headlight_light(world_from_ego, surfaces.points_m, surfaces.normals)
+        near = [car for car in others if car.beams > 0]
+        beams = headlight_light(own, near, surfaces.points_m, surfaces.normals)
+        for car in near:
+            ahead = headlight_light(car, [own, *near], surfaces.points_m, surfaces.normals, as_one=True)
+            beams += np.float32(car.beams) * ahead
         return np.asarray(total + np.float32(self.headlights) * beams)
 
     def together(
@@ -101,7 +130,7 @@ class Relight:
 
 def dimmed(lamp: LightSource, factor: float) -> LightSource:
     """Return a lamp that gives ``factor`` times its light."""
-    return LightSource(lamp.position_m, lamp.aim, factor * lamp.intensity, lamp.cone, lamp.radius_m)
+    return replace(lamp, intensity=factor * lamp.intensity)
 
 
 def _some(lamps: Sequence[LightSource], share: float) -> list[LightSource]:

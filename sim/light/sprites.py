@@ -10,7 +10,6 @@ from sim.light.lamps import LightSource
 from sim.light.surfaces import Floats
 from sim.rendering.view import DepthImage, View
 
-_LEVEL = 255.0  # of a lamp's face, in levels of a sunny day
 _LEAST_PX = 0.7  # what is smaller is drawn so large, and fainter
 _BEHIND_M = 1.0  # a lamp shows through what is this much nearer: its own housing
 _MARGIN = 4  # of the radius
@@ -32,7 +31,7 @@ def add_lamps(light: Floats, sources: Sequence[LightSource], view: View, depth_m
         reach = _MARGIN * radius_px + 1
         if not (-reach < u < light.shape[1] + reach and -reach < v < light.shape[0] + reach):
             continue
-        level = _LEVEL * (true_px / radius_px) ** 2 * _towards(source, view)
+        level = source.level * (true_px / radius_px) ** 2 * _towards(source, view)
         _add_disc(light, depth_m, (float(u), float(v)), radius_px, level, depth - _BEHIND_M)
 
 
@@ -40,7 +39,7 @@ def _towards(source: LightSource, view: View) -> float:
     """How much of the lamp's face turns to the camera; lamps with shields show little of it from afar."""
     ray = view.world_from_cam.translation - np.array(source.position_m)
     cosine = float(ray @ np.array(source.aim)) / float(np.linalg.norm(ray) + 1e-6)
-    return float(np.clip(0.25 + 2.0 * cosine, 0.0, 1.0))
+    return float(np.clip(source.aside + 2.0 * cosine, 0.0, 1.0))
 
 
 def _add_disc(

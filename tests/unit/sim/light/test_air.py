@@ -8,6 +8,7 @@ from sim.light.fog import extinction_per_m, headlight_haze, lamp_haze, transmiss
 from sim.light.lamps import LightSource
 from sim.light.surfaces import Surfaces
 from sim.light.tunnels import CoveredRoad, TunnelShade
+from sim.light.vehicles import driven_vehicle
 from sim.light.weather import WeatherConfig
 from sim.rendering.view import View
 
@@ -41,7 +42,8 @@ def test_air_glows_around_a_lamp_and_not_where_a_wall_hides_it() -> None:
 
 
 def test_beams_show_in_fog_from_behind_the_lamps_only() -> None:
-    car, facing_back = SE3(np.eye(3), np.array([-3.0, 0.0, 0.0])), SE3(np.diag([-1.0, -1, 1]), np.zeros(3))
+    car = driven_vehicle(SE3(np.eye(3), np.array([-3.0, 0.0, 0.0])))
+    facing_back = driven_vehicle(SE3(np.diag([-1.0, -1, 1]), np.zeros(3)))
     ahead = headlight_haze(car, facing_wall(40.0), 0.05)
     assert ahead.max() > 1.0
     assert headlight_haze(facing_back, facing_wall(40.0), 0.05).max() < 0.05 * ahead.max()
