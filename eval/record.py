@@ -36,7 +36,7 @@ def record_to(request: RecordRequest, console: Console) -> Path:
     Raises:
         InputError: The scenario is wrong, or something is at one of the places already.
     """
-    scenario = load_scenario(request.scenario, request.settings)
+    scenario = load_scenario(request.scenario, request.settings, request.seed)
     rig_file = request.out.with_name(f"{request.out.name}.rig.yaml")
     if rig_file.exists():
         raise InputError(f"{rig_file}: exists; wanted a name that is free")

@@ -36,7 +36,7 @@ def run(request: RunRequest, console: Console) -> RunResult:
         InputError: The request is wrong.
         EstimatorError: The estimator raised.
     """
-    scenario = load_scenario(request.scenario, request.settings)
+    scenario = load_scenario(request.scenario, request.settings, request.seed)
     make_estimator = find_estimator(request.estimator)
     digest = recording_digest(scenario, request.seed)
     out = request.out or RUNS / run_name(scenario.name, request.seed, request.estimator)

@@ -53,7 +53,7 @@ def plan_job(planned: SweepRun, folder: Path) -> SweepJob:
     Raises:
         InputError: The scenario or the estimator is wrong.
     """
-    scenario = load_scenario(planned.scenario)
+    scenario = load_scenario(planned.scenario, seed=planned.seed)
     name = run_name(scenario.name, planned.seed, planned.estimator)
     request = RunRequest(planned.scenario, planned.seed, planned.estimator, out=folder / name)
     code = code_digest(find_estimator(planned.estimator))

@@ -17,7 +17,9 @@ from scenarios.bundled import find_file
 from scenarios.files import read_mapping
 from scenarios.overrides import merge, parse_overrides
 from scenarios.scenario import Scenario, ScenarioEntry
+from sim.drive_end import check_times
 from sim.faults.chain import check_cameras
+from sim.faults.wrong_intrinsics import check_true_lenses
 from sim.sensing.refit import check_lenses, with_lenses
 from sim.vehicle.mount_events import check_events
 from sim.world import WorldConfig
@@ -32,12 +34,13 @@ class Layer:
     keys: Mapping[str, Any]
 
 
-def load_scenario(reference: str, settings: Iterable[str] = ()) -> Scenario:
+def load_scenario(reference: str, settings: Iterable[str] = (), seed: int | None = None) -> Scenario:
     """Load a bundled scenario by name or a user's own by path.
 
     Args:
         reference: A bundled name, or a path relative to the working folder.
         settings: ``dotted.path=value`` texts that override the file.
+        seed: What is known of a drive only with its seed is checked too: when it ends.
 
     Raises:
         InputError: One line with the file, the path of the key, what was got, wanted, and what there is.
@@ -49,20 +52,26 @@ def load_scenario(reference: str, settings: Iterable[str] = ()) -> Scenario:
     layers = (overrides, *_read_layers(path))
     entry = _validate(layers)
     rig_folder = next((layer.folder for layer in layers if "rig" in layer.keys), Path.cwd())
-    rig = read_rig(find_file("rig", entry.rig, rig_folder))
-    world = entry.world()
+    rig_file = find_file("rig", entry.rig, rig_folder)
+    rig, world = read_rig(rig_file), entry.world()
     if world.sensor.lens != "nominal":
         rig = with_lenses(rig, world.sensor.lens)
-    check_lenses(rig)
-    _check_cameras(world, rig, layers)
+    try:
+        check_lenses(rig)
+    except InputError as error:
+        raise InputError(f"{rig_file}: {error}") from None
+    _check_world(world, rig, seed, layers)
     return Scenario(path.stem, entry.about, rig, world)
 
 
-def _check_cameras(world: WorldConfig, rig: Rig, layers: Sequence[Layer]) -> None:
-    """Refuse what names a camera that the rig does not have, before anything is built."""
+def _check_world(world: WorldConfig, rig: Rig, seed: int | None, layers: Sequence[Layer]) -> None:
+    """Refuse what the rig or the drive cannot do, before anything is built."""
     try:
         check_cameras(world.faults, rig.cameras)
+        check_true_lenses(rig, world.faults)
         check_events(world.miscalibration.events, rig)
+        if seed is not None:
+            check_times(world, seed)
     except InputError as error:
         raise InputError(f"{_source_of(str(error).partition(':')[0], layers)}: {error}") from None
 

@@ -6,6 +6,7 @@ from collections.abc import Generator
 
 from estimator.rig import Rig
 from sim.channels.channels import ChannelMaker
+from sim.drive_end import check_times
 from sim.faults.chain import FaultChain
 from sim.faults.own_clocks import CamerasOnClocks
 from sim.light.on_board import OnBoardAtmosphere
@@ -29,12 +30,12 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
         rig: Nominal; the true extrinsics are off by the configured miscalibration.
         seed: Everything random follows from it.
     """
+    check_times(config, seed)
     faults = FaultChain(config.faults, rig.cameras, seed)
     scene = build_scene(config, rig, seed)
     stage = Stage(scene, config.drive)
     air = None if scene.atmosphere is None else OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
     sensors = CarSensors(config.inertial, stage.motion, scene.car, seed)
-    faults.check_times(stage.plan.duration_s)
     cameras = CamerasOnClocks(
         scene.lenses, lambda lenses: CameraArray(lenses, config.sensor, seed, air), config.faults
     )

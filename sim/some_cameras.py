@@ -23,6 +23,8 @@ class SomeCameras(Config):
         names = value if isinstance(value, list) else [value]
         if not names or not all(isinstance(name, str) and name for name in names):
             raise ValueError(f"got {value!r}, wanted the name of a camera, a list of names, or all")
+        if len(set(names)) < len(names):
+            raise ValueError(f"got {value!r}, wanted each camera once")
         return value
 
     @property
@@ -46,9 +48,7 @@ def check_names(key: str, several: Sequence[SomeCameras], cameras: Collection[st
                 )
 
 
-def check_begins(key: str, index: int, at_s: float, end_s: float) -> None:
-    """Raise InputError where what begins at ``at_s`` begins after the drive's end."""
+def check_begins(key: str, at_s: float, end_s: float) -> None:
+    """Raise InputError where what the list item at ``key`` says begins after the drive's end."""
     if at_s > end_s:
-        raise InputError(
-            f"{key}[{index}].at_s: got {at_s:g}, wanted no more than {end_s:.2f}, when the drive ends"
-        )
+        raise InputError(f"{key}.at_s: got {at_s:g}, wanted 0 to {end_s:.2f}, when the drive ends")

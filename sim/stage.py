@@ -8,7 +8,6 @@ from sim.scene import Scene
 from sim.vehicle.car import CHASSIS_JOINT
 from sim.vehicle.drive import DriveConfig
 from sim.vehicle.motion import Motion
-from sim.vehicle.mount_events import check_times
 from sim.vehicle.plan import SpeedPlan
 
 
@@ -19,7 +18,6 @@ class Stage:
         self._model, self._data = scene.model, mujoco.MjData(scene.model)
         self._cameras, self._traffic = scene.cameras, scene.traffic
         self._motion = Motion(drive, scene.route, scene.road, scene.car)
-        check_times(scene.cameras.mounts.events, self.plan.duration_s)
         car, physics = scene.model.joint(CHASSIS_JOINT), self._motion.model
         self._qpos = slice(car.qposadr[0], car.qposadr[0] + physics.nq)
         self._qvel = slice(car.dofadr[0], car.dofadr[0] + physics.nv)

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.se3 import SE3, Array
+from sim.agreement import check_lamps, check_length, check_slope
 from sim.channels.names import TruthChannel
 from sim.faults.fault import Fault
 from sim.faults.kinds import AnyFault
@@ -28,8 +29,6 @@ CLOCK_START_NS = 1_000_000_000  # stamp of the drive's time zero
 if TYPE_CHECKING:  # it takes a whole world to make them
     from sim.channels.channels import Channels
 
-STREET_MARGIN_M = 5.0  # of lane beyond the drive's end
-
 
 class WorldConfig(Config):
     """Everything besides rig and seed that changes a recording."""
@@ -45,27 +44,18 @@ class WorldConfig(Config):
     quality: Quality = "standard"
     truth: list[TruthChannel] = Field([])
 
-    @model_validator(mode="after")
-    def _street_is_long_enough(self) -> Self:
-        needed_m = self.drive.distance_m + STREET_MARGIN_M
-        if not self.street.is_closed and self.street.length_m < needed_m:
-            raise ValueError(
-                f"street.length_m is {self.street.length_m:g}; "
-                f"drive.distance_m {self.drive.distance_m:g} needs at least {needed_m:g}"
-            )
-        return self
+    @field_validator("truth")
+    @classmethod
+    def _names_each_once(cls, truth: list[TruthChannel]) -> list[TruthChannel]:
+        if len(set(truth)) < len(truth):
+            raise ValueError(f"got {truth}, wanted each channel once")
+        return truth
 
     @model_validator(mode="after")
-    def _renderer_keeps_what_lamps_need(self) -> Self:
-        """See ``sim.light.channels``: Filament's tone mapping and highlights mix the three channels."""
-        lit = [key for key in ("dusk", "night") if getattr(self.weather, key) > 0]
-        lit += ["tunnel"] if self.weather.tunnel > 0 and self.street.kind == "tunnel" else []
-        if self.renderer == "filament" and lit:
-            raise ValueError(
-                f"renderer is filament, which cannot draw the lamps of weather.{lit[0]} "
-                f"{getattr(self.weather, lit[0]):g}; wanted renderer: classic or pyrender, "
-                f"or weather.{lit[0]}: 0"
-            )
+    def _goes_together(self) -> Self:
+        check_length(self.street, self.drive)
+        check_slope(self.street, self.drive)
+        check_lamps(self.street, self.weather, self.renderer)
         return self
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from sim.faults.fault import Fault, PassingFault
+from sim.faults.fault import Fault
 from sim.faults.kinds import WAY
 from sim.frame import Frame
 from sim.seeds import rng_for
-from sim.some_cameras import check_begins, check_names
+from sim.some_cameras import check_names
 
 
 @dataclass
@@ -45,14 +45,6 @@ class FaultChain:
         check_cameras(faults, cameras)
         on_their_way = sorted(faults, key=lambda fault: WAY.index(type(fault)))
         self._stages = [FaultStage(fault, seed) for fault in on_their_way]
-
-        self._faults = tuple(faults)
-
-    def check_times(self, end_s: float) -> None:
-        """Raise InputError where a fault begins after the drive's end."""
-        for index, fault in enumerate(self._faults):
-            if isinstance(fault, PassingFault):
-                check_begins("faults", index, fault.at_s, end_s)
 
     def pass_on(self, frames: Iterable[Frame], index: int, time_s: float) -> tuple[Frame, ...]:
         """Return what reaches the recorder of the frames of bundle ``index``, whenever it arrives."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Annotated, Literal
 
@@ -10,9 +10,11 @@ import numpy as np
 from pydantic import Field
 
 from estimator.camera import Camera
+from estimator.errors import InputError
 from estimator.rig import MountedCamera, Rig
 from sim.faults.fault import Fault
 from sim.frame import Frame
+from sim.sensing.lens import check_lens
 
 Shift = Annotated[float, Field(ge=-200.0, le=200.0)]
 
@@ -37,6 +39,21 @@ class WrongIntrinsics(Fault):
             focal_px=(fx * factor, fy * factor),
             center_px=(cx + self.center_px[0], cy + self.center_px[1]),
         )
+
+
+def check_true_lenses(stated: Rig, faults: Sequence[Fault]) -> None:
+    """See that the lenses the cameras really have can be simulated.
+
+    Raises:
+        InputError: A fault makes one fold over inside its image.
+    """
+    for index, fault in enumerate(faults):
+        for name, mounted in stated.cameras.items():
+            if isinstance(fault, WrongIntrinsics) and fault.concerns(name):
+                try:
+                    check_lens(fault.true_camera(mounted.camera))
+                except InputError as error:
+                    raise InputError(f"faults[{index}]: of camera {name} it makes {error}") from None
 
 
 def with_true_lenses(stated: Rig, faults: Iterable[Fault]) -> Rig:

@@ -39,7 +39,7 @@ def check_lenses(rig: Rig) -> None:
         try:
             check_lens(mounted.camera)
         except InputError as error:
-            raise InputError(f"camera {name}: {error}") from None
+            raise InputError(f"cameras.{name}: got {error}") from None
 
 
 def refitted(camera: Camera, model: CameraModel) -> Camera:

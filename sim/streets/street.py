@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, Self
 
@@ -82,11 +83,19 @@ class Street:
         write_scenery(spec, self.scenery)
 
 
-def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
-    """Draw and build a street; the same generator state gives the same street."""
+def draw_roads(
+    config: StreetConfig, rng: np.random.Generator
+) -> tuple[Network, Sequence[np.random.Generator]]:
+    """Draw the roads of a street; also return the four generators of what else there is to it."""
     plan, ground, plots, houses, things, relief = rng.spawn(6)
     asked = Ground(config.slope_percent, config.speed_bumps, config.roughness)
     network = draw_network(config.kind, config.length_m, asked, plan, relief)
+    return network, (ground, plots, houses, things)
+
+
+def build_street(config: StreetConfig, rng: np.random.Generator) -> Street:
+    """Draw and build a street; the same generator state gives the same street."""
+    network, (ground, plots, houses, things) = draw_roads(config, rng)
     driven_m = driven_line_m(network.route, config.length_m)
     lots = draw_lots(network, config.facades, plots)
     built = build_houses(lots, config.facades, config.kind in TALL_KINDS, network.relief, driven_m, houses)

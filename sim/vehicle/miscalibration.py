@@ -72,12 +72,6 @@ class Mounts:
             pose = _moved(pose, share * each.omega_rad, share * each.shift_m)
         return pose
 
-    @property
-    def events(self) -> list[MountEvent]:
-        """All events, in the order of the settings, each once."""
-        found = {id(each.event): each.event for several in self.movements.values() for each in several}
-        return list(found.values())
-
 
 STEADY = Mounts({}, {})
 

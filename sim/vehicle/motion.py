@@ -37,6 +37,11 @@ class MotionState:
     qvel: Array
 
 
+def in_order_of_travel(config: DriveConfig, route: Route) -> Route:
+    """Return the route, given in the direction of its lane, as it is driven."""
+    return backwards_from(route, config.distance_m) if config.reverse else route
+
+
 class Motion:
     """One drive along a route; time zero is when the ego origin passes its first point, or starts from there.
 
@@ -54,7 +59,7 @@ class Motion:
             road: What the wheels feel; None for the plane z = 0.
             car: The car's sizes.
         """
-        self._route = backwards_from(route, config.distance_m) if config.reverse else route
+        self._route = in_order_of_travel(config, route)
         self.model = car_model(car, config.grip)
         self.plan = plan_speed(config, self._route)
         self._data, self._car = mujoco.MjData(self.model), car

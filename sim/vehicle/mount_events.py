@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 
 from estimator.errors import InputError
 from estimator.rig import Rig
-from sim.some_cameras import SomeCameras, check_begins, check_names
+from sim.some_cameras import SomeCameras, check_names
 
 _PARTS = ((0.5, 1.0), (0.3, 0.87), (0.2, 1.11))  # of a vibration: weight, frequency ratio; they beat
 
@@ -103,9 +103,3 @@ def check_events(events: Sequence[MountEvent], rig: Rig) -> None:
                 f"pose is known and fixed; there are: {', '.join(rig.estimated_names)}, or all"
             )
     check_names("miscalibration.events", events, rig.estimated_names)
-
-
-def check_times(events: Sequence[MountEvent], end_s: float) -> None:
-    """Raise InputError where an event begins after the drive's end."""
-    for index, event in enumerate(events):
-        check_begins("miscalibration.events", index, event.at_s, end_s)

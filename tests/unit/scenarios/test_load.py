@@ -113,9 +113,7 @@ def test_a_wrong_set_is_one_line(setting: str, message: str) -> None:
 
 def test_a_file_beside_it_that_was_meant_is_named(tmp_path: Path) -> None:
     write(tmp_path, "lower", ABOUT)
-    with pytest.raises(
-        InputError, match=r"base: scenario 'lower' is not .* \(did you mean the file"
-    ):
+    with pytest.raises(InputError, match=r"base: scenario 'lower' is not .* \(did you mean the file"):
         load_scenario(write(tmp_path, "upper", "base: lower"))
 
 
@@ -136,9 +134,47 @@ def test_an_unknown_scenario_lists_what_there_is() -> None:
     ids=["night", "dusk", "tunnel"],
 )
 def test_lamps_in_a_renderer_that_cannot_draw_them_are_refused(settings: list[str]) -> None:
-    with pytest.raises(InputError, match="filament, which cannot draw the lamps of weather"):
+    with pytest.raises(InputError, match="renderer: got filament, which cannot draw the lamps of weather"):
         load_scenario("first_drive", ["renderer=filament", *settings])
     assert load_scenario("first_drive", ["renderer=pyrender", *settings]).world.renderer == "pyrender"
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (
+            ["drive.distance_m=500"],
+            "--set: drive.distance_m: got 500, wanted over 0 to 65 where street.length_m is 70; "
+            "it needs a street of at least 505 m",
+        ),
+        (
+            ["drive.grip=0.1", "street.slope_percent=15"],
+            "--set: street.slope_percent: got 15, wanted 0 to 3 where drive.grip is 0.1: its wheels",
+        ),
+        (["truth=[depth, depth]"], "--set: truth: got ['depth', 'depth'], wanted each channel once"),
+        (
+            ["faults=[{kind: off, camera: [rear, rear]}]"],
+            "--set: faults[0].camera: got ['rear', 'rear'], wanted each camera once",
+        ),
+        (
+            ["rig=fisheye", "faults=[{kind: wrong_intrinsics, camera: left_front, focal_percent: -50}]"],
+            "--set: faults[0]: of camera left_front it makes a kannala_brandt lens that folds over",
+        ),
+    ],
+)
+def test_settings_that_do_not_go_together_are_refused(settings: list[str], message: str) -> None:
+    with pytest.raises(InputError) as error:
+        load_scenario("first_drive", settings)
+    assert str(error.value).startswith(message) and "\n" not in str(error.value)
+
+
+def test_a_lens_that_folds_over_is_refused_with_the_rig_file(tmp_path: Path) -> None:
+    bundled = Path(__file__).parents[3] / "scenarios" / "rigs" / "gap.yaml"
+    (tmp_path / "own.yaml").write_text(bundled.read_text().replace("[-0.22, 0.055,", "[-0.4, 0.0,", 1))
+    with pytest.raises(
+        InputError, match=r"own\.yaml: cameras\.left_front: got a brown_conrady lens that fol"
+    ):
+        load_scenario(write(tmp_path, "mine", ABOUT + "rig: ./own.yaml"))
 
 
 def test_filament_takes_a_dark_tunnel_setting_where_there_is_no_tunnel() -> None:

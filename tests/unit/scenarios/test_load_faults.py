@@ -24,7 +24,7 @@ from scenarios.load import load_scenario
             "faults[0].probability: got 1.1, wanted over 0",
         ),
         ("{kind: swapped, camera: rear}", "faults[0].camera: got 'rear', wanted a list"),
-        ("{kind: swapped, camera: [rear, rear]}", "faults[0].camera: got ['rear', 'rear'], wanted two diff"),
+        ("{kind: swapped, camera: [rear, rear]}", "faults[0].camera: got ['rear', 'rear'], wanted each"),
         ("{kind: wrong_resolution, camera: rear, size_px: [9]}", "faults[0].size_px: got 1 values, wanted 2"),
         (
             "{kind: wrong_resolution, camera: rear, size_px: [9, 4097]}",

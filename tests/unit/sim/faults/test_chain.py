@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from estimator.errors import InputError
-from sim.faults.chain import FaultChain, check_cameras
+from sim.faults.chain import check_cameras
 from sim.faults.transport_faults import Dropped
 from tests.unit.sim.faults.test_kinds import CAMERAS, drive, of
 
@@ -52,11 +52,3 @@ def test_a_camera_that_is_not_there_is_refused_with_its_path() -> None:
     faults = [Dropped(kind="dropped", camera="left"), Dropped(kind="dropped", camera=["rear", "reer"])]
     with pytest.raises(InputError, match=r"faults\[1\]\.camera: got 'reer', .* front, left, rear, or all"):
         check_cameras(faults, CAMERAS)
-
-
-def test_a_fault_that_begins_after_the_drive_is_refused() -> None:
-    faults = [Dropped(kind="dropped", camera="left"), Dropped(kind="dropped", camera="left", at_s=11)]
-    chain = FaultChain(faults, CAMERAS, 0)
-    chain.check_times(11.0)
-    with pytest.raises(InputError, match=r"faults\[1\]\.at_s: got 11, wanted no more than 10.00, when the"):
-        chain.check_times(10.0)

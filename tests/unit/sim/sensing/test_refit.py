@@ -50,5 +50,5 @@ def test_bundled_rigs_have_lenses_that_can_be_simulated(name: str) -> None:
 
 def test_a_lens_that_folds_over_is_refused_by_name() -> None:
     folding = Camera("kannala_brandt", (320, 200), (100.0, 100.0), (160.0, 100.0), (-0.15, 0.0, 0.0, 0.0))
-    with pytest.raises(InputError, match="camera front: a kannala_brandt lens that folds over"):
+    with pytest.raises(InputError, match=r"cameras\.front: got a kannala_brandt lens that folds over"):
         check_lenses(Rig("front", {"front": MountedCamera(folding, SE3())}))
