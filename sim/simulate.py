@@ -34,7 +34,9 @@ def simulate(config: WorldConfig, rig: Rig, seed: int) -> Generator[Snapshot, No
     faults = FaultChain(config.faults, rig.cameras, seed)
     scene = build_scene(config, rig, seed)
     stage = Stage(scene, config.drive)
-    air = None if scene.atmosphere is None else OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
+    air = None
+    if scene.atmosphere is not None:
+        air = OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at, scene.traffic)
     sensors = CarSensors(config.inertial, stage.motion, scene.car, seed)
     cameras = CamerasOnClocks(
         scene.lenses, lambda lenses: CameraArray(lenses, config.sensor, seed, air), config.faults

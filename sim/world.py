@@ -16,6 +16,7 @@ from sim.channels.names import TruthChannel
 from sim.faults.fault import Fault
 from sim.faults.kinds import AnyFault
 from sim.frame import Frame
+from sim.light.contradictions import check_weather
 from sim.light.weather import WeatherConfig
 from sim.rendering.names import Quality, RendererName
 from sim.sensing.sensor import SensorConfig
@@ -55,6 +56,7 @@ class WorldConfig(Config):
     def _goes_together(self) -> Self:
         check_length(self.street, self.drive)
         check_slope(self.street, self.drive)
+        check_weather(self.street.kind, self.weather)
         check_lamps(self.street, self.weather, self.renderer)
         return self
 

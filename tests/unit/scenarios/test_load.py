@@ -177,5 +177,15 @@ def test_a_lens_that_folds_over_is_refused_with_the_rig_file(tmp_path: Path) -> 
         load_scenario(write(tmp_path, "mine", ABOUT + "rig: ./own.yaml"))
 
 
-def test_filament_takes_a_dark_tunnel_setting_where_there_is_no_tunnel() -> None:
-    assert load_scenario("first_drive", ["renderer=filament", "weather.tunnel=3"])
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        (["weather.tunnel=3"], "weather.tunnel: got 3, wanted 0 where street.kind is bend"),
+        (["weather.dusk=1", "weather.night=2"], "weather.dusk: got 1 with weather.night 2, wanted one"),
+        (["weather.flare=1", "weather.fog=5"], "weather.flare: got 1, wanted 0 or thinner clouds"),
+    ],
+    ids=["tunnel", "dusk", "flare"],
+)
+def test_weather_that_cannot_be_is_refused(settings: list[str], message: str) -> None:
+    with pytest.raises(InputError, match=f"--set: {message}"):
+        load_scenario("first_drive", settings)
