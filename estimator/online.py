@@ -15,7 +15,8 @@ from estimator.rig import Rig
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
-from estimator.window import WindowCalibration, WindowConfig
+from estimator.window import WindowCalibration
+from estimator.window_config import WindowConfig
 from estimator.window_pace import PaceConfig, is_keyframe
 from estimator.window_result import WindowResult
 
