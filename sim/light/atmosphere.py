@@ -69,7 +69,8 @@ class Atmosphere:
         self._shelter = TunnelShade(surroundings.tunnels, _RAIN_COMES_IN_M) if raining else None
         self._rain = Rain(weather.rain, rng_for(seed, "weather.rain"), self._shelter) if raining else None
         self._wet_road = WetRoad(weather.rain, rng_for(seed, "weather.puddles")) if raining else None
-        self._flare = Flare(weather.flare, self._daylight.sun) if weather.flare > 0 else None
+        seen_sun = self._daylight.sun if weather.flare > 0 else 0.0
+        self._flare = Flare(weather.flare, seen_sun) if seen_sun > 0 else None
         self._wet_lenses = {
             name: WetLens(weather.wet_lens, name, seed) for name in (cameras if weather.wet_lens > 0 else ())
         }
@@ -77,7 +78,7 @@ class Atmosphere:
     @property
     def needs_depth(self) -> bool:
         """Whether ``light`` wants pictures with depth."""
-        return self.in_channels or self._extinction_per_m > 0 or self._weather.flare > 0
+        return self.in_channels or self._extinction_per_m > 0 or self._flare is not None
 
     def light(self, picture: Picture, view: View, instant: Instant) -> FloatImage:
         """Return the (H, W) light of a picture, in levels of a sunny day: 255 is white in full light.

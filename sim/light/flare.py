@@ -1,7 +1,8 @@
 """Light that goes astray in a lens: the sun's veil, its star and its ghosts, and the halos of lamps at night.
 
-``mark_sun`` makes the sun's disc far brighter than any picture can show; what of it is left once things stand
-before it and the lens has bent it tells the flare where the sun is, and how much of it.
+``mark_sun`` makes the sun's disc far brighter than anything else is; what of it is left once things stand
+before it and the lens has bent it tells the flare where the sun is, and how much of it. ``Flare.over`` then
+leaves it as bright as clouds let it be.
 """
 
 from __future__ import annotations
@@ -16,8 +17,9 @@ from sim.light.surfaces import Floats
 from sim.light.weather import Ladder, on_ladder
 from sim.rendering.view import FAR_M, DepthImage, View
 
-SUN_LEVEL = 600.0
-_SUN_SURELY = 320.0  # no other light is so bright
+SUN_LEVEL = 2000.0
+_SUN_SURELY = 1000.0  # no other light is so bright
+_DISC_LEVELS = (150.0, 600.0)  # of the disc, as clouds all but hide it and in a clear sky
 _VEIL: Ladder = (0.0, 7.0, 16.0, 28.0, 44.0, 64.0)
 _ASTRAY: Ladder = (0.0, 0.12, 0.22, 0.32, 0.42, 0.5)  # share of the light by the sun that goes elsewhere
 _STRAY: Ladder = (0.0, 0.35, 0.7, 1.2, 1.8, 2.6)
@@ -66,6 +68,7 @@ class Flare:
         """``sun`` is the share of a clear day's direct light."""
         self._veil, self._stray = sun * on_ladder(severity, _VEIL), sun * on_ladder(severity, _STRAY)
         self._astray = sun * on_ladder(severity, _ASTRAY)
+        self._brightest = np.float32(np.interp(min(1.0, 3.0 * sun), (0.0, 1.0), _DISC_LEVELS))
 
     def over(self, light: Floats, camera: Camera) -> Floats:
         """Return the (H, W) light with what the sun in it spills."""
@@ -91,7 +94,7 @@ class Flare:
         spill = cv2.resize(spill * np.float32(share), (width, height), interpolation=cv2.INTER_LINEAR)
         lost = np.float32(self._astray * share) * np.exp(-distance / np.float32(0.3))
         left = 1 - cv2.resize(lost, (width, height), interpolation=cv2.INTER_LINEAR)
-        return np.asarray(np.maximum(light, 0) * left + spill)
+        return np.asarray(np.clip(light, 0, self._brightest) * left + spill)
 
 
 def find_sun(light: Floats, camera: Camera) -> tuple[tuple[float, float], float] | None:
@@ -112,6 +115,6 @@ def with_halos(light: Floats, strength: float) -> Floats:
     """Return the (H, W) light with halos around what is far brighter than the rest; every lens makes some."""
     height, width = light.shape
     small = cv2.resize(light, (-(-width // 4), -(-height // 4)), interpolation=cv2.INTER_AREA)
-    excess = np.maximum(small - np.float32(25.0), 0)
+    excess = np.clip(small - np.float32(25.0), 0, _DISC_LEVELS[1])
     halo = 0.05 * cv2.GaussianBlur(excess, (0, 0), 2.0) + 0.05 * cv2.GaussianBlur(excess, (0, 0), 9.0)
     return np.asarray(light + np.float32(strength) * cv2.resize(halo, (width, height)))

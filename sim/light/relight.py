@@ -19,7 +19,8 @@ from sim.light.tunnels import CoveredRoad, TunnelShade
 from sim.light.vehicles import Vehicle
 from sim.light.weather import WeatherConfig, on_ladder
 
-_BOUNCED = 0.02  # illuminance that walls pass on in a tunnel of lamps of full strength
+_BOUNCED = 0.05  # illuminance that walls pass on in a tunnel of lamps of full strength
+_FACES = 3.0  # times that strength at which a tunnel's lamps look as bright as street lamps
 _FARTHEST_M = 140.0  # lamps beyond light nothing that a camera resolves
 
 
@@ -40,10 +41,10 @@ class Relight:
         # The darker the night, the fewer lamps burn, and the dimmer: always the same ones at a severity.
         share = on_ladder(weather.night, (1.0, 1.0, 0.85, 0.7, 0.5, 0.35))
         town = on_ladder(weather.night, (1.0, 1.0, 0.7, 0.5, 0.35, 0.22))
-        in_tunnel = on_ladder(weather.tunnel, (0.0, 0.33, 0.22, 0.15, 0.1, 0.06))
+        in_tunnel = on_ladder(weather.tunnel, (0.0, 0.25, 0.18, 0.13, 0.09, 0.06))
         self.lamps = (
             *(dimmed(lamp, lit * town) for lamp in _some(lamps, share) if lit > 0),
-            *(dimmed(lamp, in_tunnel) for lamp in tunnel_lamps if in_tunnel > 0),
+            *(_faint(dimmed(lamp, in_tunnel)) for lamp in tunnel_lamps if in_tunnel > 0),
         )
         self.headlights = max(lit, min(1.0, weather.dusk), min(1.0, weather.tunnel))
         self.glow = town * max(lit, 0.6 * min(1.0, weather.dusk))
@@ -131,6 +132,11 @@ class Relight:
 def dimmed(lamp: LightSource, factor: float) -> LightSource:
     """Return a lamp that gives ``factor`` times its light."""
     return replace(lamp, intensity=factor * lamp.intensity)
+
+
+def _faint(lamp: LightSource) -> LightSource:
+    """Return a lamp whose face is as dim as its light."""
+    return replace(lamp, level=lamp.level * min(1.0, _FACES * lamp.intensity))
 
 
 def _some(lamps: Sequence[LightSource], share: float) -> list[LightSource]:

@@ -155,6 +155,21 @@ def test_a_hidden_sun_makes_no_flare() -> None:
     assert Flare(5.0, 1.0).over(light, PINHOLE) is light
 
 
+def test_no_sun_is_seen_once_it_has_set() -> None:
+    dark = Picture(np.zeros((100, 160, 3), np.uint8), SKY)
+    air = atmosphere(flare=3.0, night=2.0, sun_elevation_deg=8.0, sun_azimuth_deg=5.0)
+    assert air.cover(air.light(dark, VIEW, PARKED), "front", 3.0).max() < 10
+
+
+def test_clouds_dim_the_disc_of_the_sun() -> None:
+    def disc(sun: float) -> float:
+        light = np.full((100, 160), 100.0, np.float32)
+        mark_sun(light, VIEW, SKY, direction(8.0, 5.0))
+        return float(Flare(1.0, sun).over(light, PINHOLE).max())
+
+    assert disc(0.07) < 300 < disc(1.0)
+
+
 def test_the_worse_the_lens_the_more_the_sun_spills() -> None:
     light = np.full((100, 160), 100.0, np.float32)
     mark_sun(light, VIEW, SKY, direction(8.0, 5.0))
