@@ -1,9 +1,10 @@
 """Every severity there is, and what climbing it must do to an image: said here, before it is measured.
 
-``falls`` and ``rises`` name statistics of ``eval.likeness_statistics`` and the two that
-``tests.benchmark.ladders`` adds. Not named is what an effect moves by chance, or both ways by its nature:
-corners of GFTT are counted against the best one of the image, so their number rises when all corners get
-weaker; the share of KLT tracks that survive rises when hard edges of shadows, which are hard to follow, go.
+``falls``, ``rises`` and ``keeps`` name statistics of ``eval.likeness_statistics``, of
+``tests.benchmark.true_tracks`` and the two that ``tests.benchmark.ladders`` adds. Not named is what an effect
+moves by chance, or both ways by its nature: corners of GFTT are counted against the best one of the image, so
+their number rises when all corners get weaker; the share of KLT tracks that survive rises when hard edges of
+shadows, which are hard to follow, go, and what dirt, drops and JPEG bring into an image survives in it.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass
 
 _TEXTURE = ("contrast_std", "gradient_mean", "fast20_per_100kpx")
 _SURVIVAL = ("klt_survival_1", "klt_survival_5")
+_TRUE = ("true_share_1", "true_share_5")
 _SEVERITIES = (0.0, 1.0, 2.0, 3.0, 4.0, 5.0)
 ROADSIDE = (81, 320)  # rows without sky and bonnet, as the real drives are measured
 
@@ -25,21 +27,25 @@ class Effect:
         knob: Path of the setting.
         why: What it does to images, for the reader of the table.
         falls, rises: Statistics that must not go the other way at any step.
+        keeps: Statistics that must stay as they are.
         values: Of the knob.
         settings: Other settings of the scenario.
         rows, columns: What of the image counts.
         from_s: When the first frame is taken.
+        frames: How many.
     """
 
     knob: str
     why: str
     falls: tuple[str, ...] = ()
     rises: tuple[str, ...] = ()
+    keeps: tuple[str, ...] = ()
     values: tuple[float, ...] = _SEVERITIES
     settings: tuple[str, ...] = ()
     rows: tuple[int, int] = ROADSIDE
     columns: tuple[int, int] = (0, 640)
     from_s: float = 0.5
+    frames: int = 16
 
     @property
     def name(self) -> str:
@@ -50,6 +56,11 @@ class Effect:
     def is_of_the_sensor(self) -> bool:
         """Whether the world itself stays the same."""
         return self.knob.startswith("sensor.")
+
+    @property
+    def is_of_the_shutter(self) -> bool:
+        """Whether an image takes more than one picture of the world."""
+        return self.knob in ("sensor.motion_blur", "sensor.rolling_shutter_s")
 
     def settings_at(self, value: float) -> list[str]:
         """Return what to lay over the scenario."""
@@ -100,7 +111,7 @@ EFFECTS: Sequence[Effect] = (
     Effect(
         "weather.wet_lens",
         "drops that blur what lies behind, and stay while the world moves",
-        falls=("fast20_per_100kpx", "gradient_mean", *_SURVIVAL),
+        falls=("fast20_per_100kpx", "gradient_mean", "klt_survival_5", *_TRUE),
     ),
     Effect(
         "weather.flare",
@@ -117,10 +128,14 @@ EFFECTS: Sequence[Effect] = (
         "what moves becomes a stripe, near things and those at the rim first",
         falls=_TEXTURE,
         rises=("textureless_share",),
+        frames=12,
     ),
     Effect(
         "sensor.rolling_shutter_s",
         "rows are taken one after another: shapes lean, but as sharp as before",
+        rises=("shift_px",),
+        keeps=("gradient_mean", "fast20_per_100kpx", "contrast_std"),
+        frames=12,
         values=(0.0, 0.01, 0.02, 0.03, 0.04, 0.05),
     ),
     Effect(
@@ -131,14 +146,20 @@ EFFECTS: Sequence[Effect] = (
     Effect(
         "sensor.dirt",
         "soft spots that hide the world, and stay while it moves",
-        falls=("fast20_per_100kpx", "gradient_mean", *_SURVIVAL),
+        falls=("fast20_per_100kpx", "gradient_mean", "klt_survival_5", *_TRUE),
+        rises=("shift_px",),
     ),
-    Effect("sensor.jpeg", "fine texture is left out, then blocks show", falls=("klt_survival_1",)),
+    Effect(
+        "sensor.jpeg",
+        "fine texture is left out, then blocks show, whose corners stay while the world moves",
+        falls=("spectrum_slope",),
+        rises=("fast20_per_100kpx", "shift_px"),
+    ),
     Effect(
         "sensor.noise",
         "corners that are nowhere",
-        falls=_SURVIVAL,
-        rises=("fast20_per_100kpx", "gradient_mean"),
+        falls=("textureless_share", *_SURVIVAL, *_TRUE),
+        rises=("fast20_per_100kpx", "gradient_mean", "shift_px"),
         values=(0.0, 1.0, 2.0, 4.0, 8.0, 16.0),
     ),
 )

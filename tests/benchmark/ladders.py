@@ -1,39 +1,47 @@
-"""Do the severities lead one way? Every effect's ladder, measured on frames of one camera.
+"""Do the severities lead one way? Every effect's ladder, measured on frames of one camera on several streets.
 
-``python -m tests.benchmark.ladders [EFFECT ...] [--sheet FILE.jpg]`` drives down one street at 10 m/s
-without sensor noise, takes a frame every metre with the pinhole camera ``front`` at every severity, and
-prints what the statistics of ``eval.likeness_statistics`` make of them. After a row, ``<`` says that it must
-rise and does, ``>`` that it must fall and does, ``REVERSES`` that a step goes the other way, and ``-`` that
-nothing is asked of it. Ends with status 1 if anything reverses.
+``python -m tests.benchmark.ladders [EFFECT ...] [--sheet FILE.jpg] [--table]`` drives down ``first_drive`` of
+seeds 0, 1, 2 at 10 m/s without sensor noise, takes a frame every metre with the pinhole camera ``front`` at
+every severity, and prints the means of the statistics of ``eval.likeness_statistics`` and of
+``tests.benchmark.true_tracks``. ``+-`` is the largest standard error of a step from one severity to the next.
+After a row, ``<`` says that it must rise and does, ``>`` that it must fall and does, ``=`` that it must stay
+and does, ``REVERSES`` that it does otherwise, and ``-`` that nothing is asked of it. ``--table`` prints the
+rows of the tables in the docs as well. Ends with status 1 if anything reverses.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from collections.abc import Mapping
 from pathlib import Path
 
 import cv2
 import numpy as np
 
 from estimator.bundle import Image
+from estimator.se3 import Array
 from eval.likeness_statistics import statistics_of
-from scenarios.load import load_scenario
-from sim.light.on_board import OnBoardAtmosphere
-from sim.rendering.classic import ClassicRenderer
-from sim.scene import Scene, build_scene
-from sim.sensing.capture import CameraArray
-from sim.stage import Stage
-from sim.world import WorldConfig
 from tests.benchmark.ladder_effects import EFFECTS, Effect
+from tests.benchmark.ladder_rides import Ride, rides
+from tests.benchmark.ladder_verdicts import REVERSES, standard_error, verdict
+from tests.benchmark.true_tracks import shift_px, true_shares
 
-CAMERA, FRAMES, PERIOD_S = "front", 12, 0.1
-PLAIN = ("drive.speed_mps=10", "drive.rate_hz=10", "sensor.noise=0")
+SEEDS = (0, 1, 2)
+IN_DOCS = {
+    "mean_level": 0,
+    "contrast_std": 0,
+    "fast20_per_100kpx": 0,
+    "gradient_mean": 1,
+    "textureless_share": 2,
+    "klt_survival_1": 2,
+    "klt_survival_5": 2,
+    "true_share_1": 2,
+    "true_share_5": 2,
+    "shift_px": 2,
+}  # columns of the tables in the docs, and their digits
+_SIGNS = {"<": " \u2191", ">": " \u2193", "=": " =", "-": "", REVERSES: " **!**"}
 _TILE_PX = (256, 160)
-# What counts as a step back: some of 200 tracks, a hundredth of the pixels or of the largest value.
-_SLACK_OF_TRACKS, _SLACK = 0.03, 0.01
 
 
 def main() -> None:
@@ -41,87 +49,81 @@ def main() -> None:
     names = [effect.name for effect in EFFECTS]
     parser.add_argument("effects", nargs="*", metavar="EFFECT", help=", ".join(names))
     parser.add_argument("--sheet", type=Path, help="draw the last frame of each severity there")
+    parser.add_argument("--table", action="store_true", help="print the rows of the docs' tables")
     request = parser.parse_args()
     if unknown := set(request.effects) - set(names):
         parser.error(f"no effect {', '.join(sorted(unknown))}; there are: {', '.join(names)}")
-    rows, reversals = [], 0
+    sheet, rows, reversals = [], [], 0
     for effect in EFFECTS:
         if not request.effects or effect.name in request.effects:
-            ladder = list(frames_by_value(effect))
-            reversals += report(effect, ladder)
-            rows.append(
-                [labelled(frames[-1], effect, v) for frames, v in zip(ladder, effect.values, strict=True)]
+            values, last_frames = ladder(effect)
+            reversals += report(effect, values)
+            rows.append(table_row(effect, values))
+            sheet.append(
+                [labelled(frame, effect, v) for frame, v in zip(last_frames, effect.values, strict=True)]
             )
+    if request.table:
+        print("\n" + "\n".join(rows))
     if request.sheet:
         cv2.imwrite(
-            str(request.sheet), np.vstack([np.hstack(row) for row in rows]), [cv2.IMWRITE_JPEG_QUALITY, 85]
+            str(request.sheet), np.vstack([np.hstack(row) for row in sheet]), [cv2.IMWRITE_JPEG_QUALITY, 85]
         )
     sys.exit(1 if reversals else 0)
 
 
-def frames_by_value(effect: Effect) -> Iterator[list[Image]]:
-    """Yield the frames of each severity."""
-    scene = None
-    for value in effect.values:
-        scenario = load_scenario("first_drive", [*PLAIN, *effect.settings_at(value)])
-        if scene is None or not effect.is_of_the_sensor:
-            scene = build_scene(scenario.world, scenario.rig, 0)
-        yield drive(scene, scenario.world, effect.from_s)
+def ladder(effect: Effect) -> tuple[dict[str, Array], list[Image]]:
+    """Return (streets, severities) of every statistic, and the last frames of the first street."""
+    of_streets, last_frames = [], []
+    for seed in SEEDS:
+        plain: Ride | None = None
+        steps = []
+        for ride in rides(effect, seed):
+            plain = plain or ride
+            steps.append(measured(ride, plain, effect))
+            if seed == SEEDS[0]:
+                last_frames.append(ride.frames[-1])
+        of_streets.append(steps)
+    values = {name: np.array([[s[name] for s in steps] for steps in of_streets]) for name in of_streets[0][0]}
+    return values, last_frames
 
 
-def drive(
-    scene: Scene, world: WorldConfig, from_s: float, camera: str = CAMERA, count: int = FRAMES
-) -> list[Image]:
-    """Return a camera's frames."""
-    stage = Stage(scene, world.drive)
-    assert scene.atmosphere is not None
-    air = OnBoardAtmosphere(scene.atmosphere, scene.model, stage.at)
-    cameras = CameraArray({camera: scene.lenses[camera]}, world.sensor, 0, air)
-    with ClassicRenderer(scene.model) as renderer:
-        return [cameras.take(stage, renderer, k, from_s + k * PERIOD_S)[camera] for k in range(count)]
-
-
-def measured(frames: Sequence[Image], effect: Effect) -> dict[str, float]:
-    """Return the mean of every statistic."""
-    cut = [frame[slice(*effect.rows), slice(*effect.columns)] for frame in frames]
+def measured(ride: Ride, plain: Ride, effect: Effect) -> dict[str, float]:
+    """Return the mean of every statistic; ``plain`` is the ride without the effect."""
+    window = (slice(*effect.rows), slice(*effect.columns))
+    cut = [frame[window] for frame in ride.frames]
     of_light = {
         "mean_level": float(np.mean(cut)),
         "white_share": float(np.mean(np.array(cut) > 250)),
     }
-    return of_light | {name: float(values.mean()) for name, values in statistics_of(cut).items()}
+    likeness = {name: float(values.mean()) for name, values in statistics_of(cut).items()}
+    tracks = true_shares(ride, window) | {"shift_px": shift_px(plain, ride, window)}
+    return of_light | likeness | tracks
 
 
-def report(effect: Effect, ladder: Sequence[Sequence[Image]]) -> int:
+def report(effect: Effect, values: Mapping[str, Array]) -> int:
     """Print one effect's table and return how many of its statistics reverse."""
-    steps = [measured(frames, effect) for frames in ladder]
     print(f"\n{effect.name}: {effect.why}")
-    print(f"{'':<20}" + "".join(f"{value:>9g}" for value in effect.values))
-    count = 0
-    for name in steps[0]:
-        values = [step[name] for step in steps]
-        verdict = judged(name, values, effect)
-        count += verdict == "REVERSES"
-        print(
-            f"{name:<20}" + "".join(f"{value:>9.{_digits(name)}f}" for value in values) + f"  {verdict}",
-            flush=True,
-        )
-    return count
+    print(f"{'':<20}" + "".join(f"{value:>9g}" for value in effect.values) + f"{'+-':>9}")
+    marks = {name: verdict(name, each, effect) for name, each in values.items()}
+    for name, each in values.items():
+        error = float(standard_error(np.diff(each, axis=1)).max())
+        cells = "".join(f"{value:>9.{_digits(name)}f}" for value in (*each.mean(0), error))
+        print(f"{name:<20}{cells}  {marks[name]}", flush=True)
+    return list(marks.values()).count(REVERSES)
 
 
-def judged(name: str, values: Sequence[float], effect: Effect) -> str:
-    """Return the mark of one row."""
-    sign = (name in effect.rises) - (name in effect.falls)
-    if not sign:
-        return "-"
-    slack = _SLACK if "share" in name else _SLACK * max(map(abs, values))
-    slack = _SLACK_OF_TRACKS if "klt" in name else slack
-    goes_on = all(sign * (after - before) > -slack for before, after in pairwise(values))
-    arrives = sign * (values[-1] - values[0]) > slack
-    return {1: "<", -1: ">"}[sign] if goes_on and arrives else "REVERSES"
+def table_row(effect: Effect, values: Mapping[str, Array]) -> str:
+    """Return one effect's row of the table in the docs."""
+    cells = [
+        " ".join(f"{value:.{digits}f}" for value in values[name].mean(0))
+        + _SIGNS[verdict(name, values[name], effect)]
+        for name, digits in IN_DOCS.items()
+    ]
+    return f"| `{effect.name}` | {' | '.join(cells)} |"
 
 
 def _digits(name: str) -> int:
-    return 2 if name.endswith("share") or "klt" in name or "slope" in name else 1
+    return 1 if name in ("mean_level", "gradient_mean", "contrast_std") or "per_100kpx" in name else 2
 
 
 def labelled(image: Image, effect: Effect, value: float) -> Image:
