@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from sim.paint.furniture_parts import PLATE_M, SIGN_M, region
+from sim.paint.tagged import cabinet_parts, lacquer, tagged_part
 from sim.shapes.mesh import Mesh, box, disc, merged, quads, rect_uvs, tube
 
 LAMP_HEAD_M = (1.55, 5.85)  # of a street lamp: how far before its foot, how high
@@ -106,23 +107,32 @@ def wheelie_bin() -> Mesh:
     )
 
 
-def litter_bin() -> Mesh:
-    """A round bin on the pavement."""
+def litter_bin(index: int) -> Mesh:
+    """A round bin on the pavement, with its own marks."""
     z = np.array([0.0, 0.1, 0.85, 0.9])
-    return tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.2, 0.22, 0.26, 0.02]), 10, region("green"))
+    return tube(
+        np.column_stack([0 * z, 0 * z, z]), np.array([0.2, 0.22, 0.26, 0.02]), 10, tagged_part("bin", index)
+    )
 
 
-def cabinet() -> Mesh:
-    """A switch cabinet with tags and stickers."""
-    return box((-0.2, -0.55, 0.0), (0.2, 0.55, 1.2), region("cabinet"), region("steel"))
+def cabinet(index: int) -> Mesh:
+    """A switch cabinet with its own tags and stickers."""
+    door, side = cabinet_parts(index)
+    (x0, y0), (x1, y1), top = (-0.2, -0.55), (0.2, 0.55), 1.2
+    walls = [((x1, y0), (x1, y1)), ((x1, y1), (x0, y1)), ((x0, y1), (x0, y0)), ((x0, y0), (x1, y0))]
+    corners = np.array([[(*a, 0.0), (*b, 0.0), (*b, top), (*a, top)] for a, b in walls])
+    roof = np.array([[(x0, y0, top), (x1, y0, top), (x1, y1, top), (x0, y1, top)]])
+    parts = [rect_uvs(part) for part in (door, side, lacquer(), side)]
+    return merged([quads(corners, np.array(parts)), quads(roof, rect_uvs(lacquer())[None])])
 
 
-def advert_column() -> Mesh:
-    """A round column covered with posters."""
+def advert_column(index: int) -> Mesh:
+    """A round column covered with posters of its own."""
     z = np.array([0.0, 2.7])
-    body = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.55, 0.55]), 16, region("posters"))
+    posters = tagged_part("column", index)
+    body = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.55, 0.55]), 16, posters)
     z = np.array([2.7, 2.72, 2.9, 3.2])
-    roof = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.56, 0.68, 0.6, 0.02]), 16, region("green"))
+    roof = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.56, 0.68, 0.6, 0.02]), 16, lacquer())
     return merged([body, roof])
 
 
@@ -137,42 +147,3 @@ def bench() -> Mesh:
 def planter() -> Mesh:
     """A concrete trough for a bush."""
     return box((-0.45, -0.45, 0), (0.45, 0.45, 0.55), region("concrete"), region("wood"))
-
-
-def picket_fence(length_m: float) -> Mesh:
-    """Pickets on two rails along +y from the origin."""
-    wood = region("wood")
-    u0, v0, u1, v1 = wood
-    parts = []
-    for k, y in enumerate(np.arange(0.0, length_m - 0.08, 0.16)):
-        u = u0 + (u1 - u0) * ((k * 0.137) % 0.9)
-        top = 1.0 + 0.05 * ((k * 7) % 3)
-        parts.append(box((-0.015, y, 0.05), (0.015, y + 0.09, top), (u, v0, u + 0.1 * (u1 - u0), v1)))
-    for z in (0.3, 0.8):
-        parts.append(box((-0.04, 0, z), (0.04, length_m, z + 0.07), wood))
-    return merged(parts)
-
-
-def board_fence(length_m: float) -> Mesh:
-    """A fence of upright boards, taller than a car, along y and centred on the origin."""
-    u0, v0, u1, v1 = region("wood")
-    parts = []
-    for k, y in enumerate(np.arange(-length_m / 2, length_m / 2 - 0.2, 0.25)):
-        u = u0 + (u1 - u0) * ((k * 0.37) % 0.85)
-        top = 1.8 + 0.04 * ((k * 5) % 4)
-        parts.append(box((-0.02, y, 0.0), (0.02, y + 0.235, top), (u, v0, u + 0.15 * (u1 - u0), v1)))
-    return merged(parts)
-
-
-def garden_wall(length_m: float, height_m: float = 0.8) -> Mesh:
-    """A wall of concrete blocks along +y from the origin, every block its own piece of the texture."""
-    u0, v0, u1, v1 = region("concrete")
-    columns, rows = max(1, round(length_m / 1.1)), max(1, round(height_m / 0.6))
-    y, z = np.linspace(0, length_m, columns + 1), np.linspace(0, height_m, rows + 1)
-    parts = []
-    for j in range(columns):
-        for i in range(rows):
-            left = u0 + 0.35 * (u1 - u0) * ((0.31 * j + 0.57 * i) % 1.0)
-            part = (left, v0, left + 0.65 * (u1 - u0), v1)
-            parts.append(box((-0.12, y[j], z[i]), (0.12, y[j + 1], z[i + 1]), part))
-    return merged(parts)

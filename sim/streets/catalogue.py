@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from itertools import cycle
 
 import numpy as np
 
+from sim.paint.tagged import COUNTS
 from sim.shapes.bushes import bush_mesh, tuft_mesh
 from sim.shapes.furniture import (
     advert_column,
@@ -26,7 +28,8 @@ from sim.shapes.trees import SPECIES, SPRUCE, Species, tree_mesh
 from sim.streets.placing import Thing
 
 PLAIN = "plain"  # skin of rendered walls
-SKINS = 3  # furniture comes in as many coats, each with its own posters, stickers and names
+SKINS = 3  # furniture comes in as many coats, each with its own names of streets
+TAGGED = "furniture_tagged"  # skin of what bears posters, stickers and tags; each piece differs
 PLATES = 4  # names of streets on each
 _BUSHES = (
     (0.45, "lime"),
@@ -39,7 +42,11 @@ _BUSHES = (
 
 
 class Catalogue:
-    """Shared models, so that a hundred trees are a handful of meshes."""
+    """Shared models, so that a hundred trees are a handful of meshes.
+
+    ``by_facade`` and ``by_kerb`` yield one thing after another of each model: what bears marks comes again
+    only when all its pieces have been handed out.
+    """
 
     def __init__(self, rng: np.random.Generator) -> None:
         self._fine = [_tree(kind, True, rng) for kind in (*SPECIES, *SPECIES[:4])]
@@ -52,17 +59,16 @@ class Catalogue:
         self.tufts = [Thing(tuft_mesh(kind, rng), "plants", (0.2, 0.2)) for kind in ("lime", "birch")]
         self.lamp = _thing(lamp_post(5.6), (0.3, 0.3), 0)
         self.bollard = _thing(bollard(), (0.16, 0.16), 0)
-        self.by_facade = _coats(
+        cabinets = _pieces(cabinet, COUNTS["cabinet"], (0.42, 1.12))
+        bins = _pieces(litter_bin, COUNTS["bin"], (0.52, 0.52))
+        columns = _pieces(advert_column, COUNTS["column"], (1.3, 1.3))
+        self.by_facade = [cabinets] * SKINS + _coats(
             (wheelie_bin, (0.7, 0.6)),
-            (cabinet, (0.42, 1.12)),
             (bench, (0.6, 1.6)),
             (planter, (0.92, 0.92)),
             (bike_rack, (0.6, 1.9)),
         )
-        self.by_kerb = _coats(
-            (litter_bin, (0.52, 0.52)),
-            (advert_column, (1.3, 1.3)),
-            (cabinet, (0.42, 1.12)),
+        self.by_kerb = [each for each in (bins, columns, cabinets) for _ in range(SKINS)] + _coats(
             (parking_meter, (0.34, 0.34)),
             (post_box, (0.44, 0.56)),
             (lambda: sign_post(("no_parking",)), (0.1, 0.62)),
@@ -92,10 +98,15 @@ def _thing(mesh: Mesh, size_m: tuple[float, float], coat: int) -> Thing:
     return Thing(mesh, furniture_skin(coat), size_m)
 
 
-def _coats(*makers: tuple[Callable[[], Mesh], tuple[float, float]]) -> list[Thing]:
+def _coats(*makers: tuple[Callable[[], Mesh], tuple[float, float]]) -> list[Iterator[Thing]]:
     """Every model once in every coat."""
     built = [(make(), size_m) for make, size_m in makers]
-    return [_thing(mesh, size_m, coat) for mesh, size_m in built for coat in range(SKINS)]
+    return [cycle([_thing(mesh, size_m, coat)]) for mesh, size_m in built for coat in range(SKINS)]
+
+
+def _pieces(make: Callable[[int], Mesh], count: int, size_m: tuple[float, float]) -> Iterator[Thing]:
+    """One model with ever other marks."""
+    return cycle([Thing(make(index), TAGGED, size_m) for index in range(count)])
 
 
 def _tree(species: Species, fine: bool, rng: np.random.Generator) -> Thing:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -10,7 +10,8 @@ from estimator.se3 import Array
 from sim.paint.facade import paint_render
 from sim.paint.furniture import furniture_glow, paint_furniture
 from sim.paint.plants import paint_plants
-from sim.streets.catalogue import PLAIN, SKINS, Catalogue, furniture_skin
+from sim.paint.tagged import paint_tagged
+from sim.streets.catalogue import PLAIN, SKINS, TAGGED, Catalogue, furniture_skin
 from sim.streets.footprint import Ground, rectangle_m
 from sim.streets.islands import furnish_islands
 from sim.streets.lamps import Lamp, line_with_lamps
@@ -96,23 +97,26 @@ def _scatter(street: KerbSite, catalogue: Catalogue, rng: np.random.Generator) -
     """Smaller things along facades and kerbs, where there is room; no model comes twice in a row."""
     by_facade, by_kerb = _turns(catalogue.by_facade, rng), _turns(catalogue.by_kerb, rng)
     for k, s in enumerate(street.steps(1.0, 2.6)):
-        thing, at, here = by_facade[k % len(by_facade)], s + rng.uniform(-1, 1), rng.random() < 0.45
+        at, here = s + rng.uniform(-1, 1), rng.random() < 0.45
         if here:
+            thing = next(by_facade[k % len(by_facade)])
             street.put(thing, at, street.kerb.pavement_m - thing.size_m[0] / 2 - 0.36, TO_STREET)
     for k, s in enumerate(street.steps(2.0, 6.0)):
-        thing, at, here = by_kerb[k % len(by_kerb)], s + rng.uniform(-2, 2), rng.random() < 0.75
+        at, here = s + rng.uniform(-2, 2), rng.random() < 0.75
         if here:
+            thing = next(by_kerb[k % len(by_kerb)])
             street.put(thing, at, thing.size_m[0] / 2 + 0.25, 0.0)
 
 
-def _turns(things: Sequence[Thing], rng: np.random.Generator) -> list[Thing]:
-    return [things[k] for k in rng.permutation(len(things))]
+def _turns(models: Sequence[Iterator[Thing]], rng: np.random.Generator) -> list[Iterator[Thing]]:
+    return [models[k] for k in rng.permutation(len(models))]
 
 
 def _skins(rng: np.random.Generator) -> dict[str, Skin]:
-    names, leaves, render, *coats = rng.spawn(3 + SKINS)
+    names, leaves, render, marks, *coats = rng.spawn(4 + SKINS)
     plates, glow = draw_names(names), furniture_glow()
     skins = {
         furniture_skin(k): Skin(paint_furniture(plates[k], coat), 0.1, glow) for k, coat in enumerate(coats)
     }
+    skins[TAGGED] = Skin(paint_tagged(marks), 0.1)
     return skins | {"plants": Skin(paint_plants(leaves)), PLAIN: Skin(paint_render(render))}

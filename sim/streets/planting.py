@@ -13,7 +13,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.shapes.bushes import hedge_mesh
-from sim.shapes.furniture import board_fence, garden_wall, picket_fence
+from sim.shapes.fences import board_fence, garden_wall, picket_fence
 from sim.shapes.mesh import Mesh, box
 from sim.streets.catalogue import PLAIN, Catalogue, furniture_skin
 from sim.streets.lot import Lot

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from shapely.geometry import LineString, Polygon
 
+from sim.paint.tagged import COUNTS, paint_tagged, tagged_part
+from sim.streets.catalogue import TAGGED
 from sim.streets.footprint import gap_m
 from sim.streets.furnishing import furnish
 from sim.streets.kinds import Ground, draw_network
@@ -144,3 +146,17 @@ def test_marker_posts_stand_behind_the_rail_of_a_motorway_on_its_outside() -> No
             abs(float(kerb.path.project(np.array(post.position_m[:2]))[1]) - 1.05) for kerb in outer
         )
         assert nearest < 0.02
+
+
+def test_no_two_pieces_that_bear_marks_are_alike() -> None:
+    tagged = [prop for prop in furnished("crossroads")[0] if prop.skin == TAGGED]
+    assert len(tagged) > 5
+    assert len({id(prop.mesh) for prop in tagged}) == len(tagged)
+
+
+def test_every_piece_is_painted_differently() -> None:
+    image = paint_tagged(np.random.default_rng(0))
+    for kind, count in COUNTS.items():
+        corners = [np.array(tagged_part(kind, k)).reshape(2, 2) * image.shape[1::-1] for k in range(count)]
+        painted = {image[int(y0) : int(y1), int(x0) : int(x1)].tobytes() for (x0, y0), (x1, y1) in corners}
+        assert len(painted) == count
