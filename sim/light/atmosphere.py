@@ -33,7 +33,7 @@ from sim.rendering.view import Picture, RgbImage, View
 from sim.seeds import rng_for
 
 _LUMA = np.array([[0.299, 0.587, 0.114]], np.float32)  # ITU-R BT.601
-_AIR_LEVEL = 205.0  # of thick fog by day
+_AIR_LEVEL = 235.0  # of thick fog by day: that of a grey horizon
 _RAIN_COMES_IN_M = 3.0  # into a tunnel, carried by wind and wheels
 _TOWN_AIR = 0.5  # levels of thick fog by night, between lamps
 

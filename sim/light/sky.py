@@ -101,8 +101,8 @@ def _dusk(rays: Array, rise: Array, daylight: Daylight, cover: Array) -> Array:
     flat = np.linalg.norm(daylight.toward_sun[:2]) + 1e-9
     toward = (rays[..., :2] @ daylight.toward_sun[:2] / flat)[..., None]
     west = np.exp(2.0 * (toward - 1.0))
-    horizon = 130.0 + 200.0 * west
-    bare = 85.0 + (horizon - 85.0) * np.exp(-rise / (0.16 + 0.3 * west))
+    horizon = 190.0 + 180.0 * west
+    bare = 125.0 + (horizon - 125.0) * np.exp(-rise / (0.16 + 0.3 * west))
     return np.asarray(bare * (1.0 - 0.45 * cover) * [1.0, 0.97, 1.03])
 
 

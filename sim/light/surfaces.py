@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from estimator.camera import Camera
+from sim.light.slopes import slopes_at
 from sim.rendering.view import FAR_M, DepthImage, View
 
 Floats = npt.NDArray[np.float32]
@@ -92,8 +93,7 @@ class Surfaces:
     @cached_property
     def _slopes(self) -> Floats:
         """(2, h, w) how 1/depth grows by a pixel to the right and down: constant on planes."""
-        here = self._nearness[::STEP, ::STEP]
-        return np.stack([_slope(self._nearness, here, 1), _slope(self._nearness, here, 0)])
+        return slopes_at(self._nearness, STEP)
 
     @cached_property
     def _edges(self) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.int32]]:
@@ -120,23 +120,6 @@ def _normals(here: Floats, slopes: Floats, x: Floats, y: Floats, pinhole: Camera
     normal = np.stack([by_x, by_y, here - by_x * x - by_y * y])
     size = np.sqrt(np.einsum("ihw,ihw->hw", normal, normal)) + np.float32(1e-12)
     return np.asarray(normal / -size)
-
-
-def _slope(nearness: Floats, here: Floats, axis: int) -> Floats:
-    """Return (h, w) how the nearness grows by a pixel along an axis, at the samples.
-
-    Of the differences to the two neighbours the smaller counts: the other one may reach over an edge.
-    """
-    length = nearness.shape[axis]
-    places = STEP * np.arange(here.shape[axis])
-    across = nearness[:, ::STEP] if axis == 0 else nearness[::STEP]
-    after = np.take(across, np.minimum(places + 1, length - 1), axis) - here
-    before = here - np.take(across, np.maximum(places - 1, 0), axis)
-    first, last = (np.s_[:1], np.s_[-1:]) if axis == 0 else (np.s_[:, :1], np.s_[:, -1:])
-    before[first] = after[first]  # a neighbour is missing there
-    if places[-1] == length - 1:
-        after[last] = before[last]
-    return np.where(np.abs(after) < np.abs(before), after, before)
 
 
 def _edge_samples(nearness: Floats, slopes: Floats) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.int32]]:

@@ -53,3 +53,22 @@ def test_a_crease_parts_what_faces_differently() -> None:
 def test_nothing_far_away_is_sky() -> None:
     assert of(np.full((40, 64), FAR_M, np.float32)).sky.all()
     assert not of(np.full((40, 64), 100.0, np.float32)).sky.any()
+
+
+def test_a_narrow_kerb_faces_the_road_to_its_very_edges() -> None:
+    """Taken one by one, its slope along a row and the road's down a column would face the camera."""
+    pinhole = Camera("pinhole", (200, 120), (150.0, 150.0), (20.0, 20.0))
+    u, v = np.meshgrid(np.arange(200), np.arange(120))
+    x, y = (u - 20) / 150, (v - 20) / 150
+    road, pavement, face = y / 1.45, y / 1.3, x / 3.0  # 1/depth of each
+    is_face = (face >= road) & (face <= pavement)
+    nearness = np.where(is_face, face, np.where(face < road, road, pavement))
+    depth_m = (1 / np.maximum(nearness, 1 / FAR_M)).astype(np.float32)
+    aside = of_pinhole(pinhole, depth_m).normals[0]
+    sampled = is_face[::STEP, ::STEP] & (depth_m[::STEP, ::STEP] < 25)
+    assert sampled.sum() > 20
+    assert np.mean(aside[sampled] < -0.9) > 0.9
+
+
+def of_pinhole(pinhole: Camera, depth_m: np.ndarray) -> Surfaces:
+    return Surfaces(View(pinhole, SE3()), depth_m)
