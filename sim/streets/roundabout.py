@@ -17,7 +17,8 @@ from sim.streets.turning import giving_way
 
 _RING_M = 12.5  # radius of the lane round the island
 _RING_HALF_M = 3.1
-_FLARE_M = 10.0  # radius on which one enters and leaves
+_FLARE_M = 11.5  # radius on which one enters and leaves
+_RAMP_M = 6.0  # over which a turn sets in: drivers cut what corners the ring leaves
 _ARM_HALF_M = 3.3
 _SIDE_ARM_M = 55.0
 _RING_SPEED_MPS = 6.0
@@ -80,7 +81,7 @@ def _way(middle_m: Array, angles: Array, lengths_m: list[float], entry: int, lea
     stop = start + (stop - start) % (2 * np.pi)
     on_ring = np.linspace(start, stop, max(4, round((stop - start) * 40)))[1:-1]
     ring = _RING_M * np.stack([np.cos(on_ring), np.sin(on_ring)], axis=1)
-    return smoothed(path_through(middle_m + np.vstack([first, ring, last])), 3.0)
+    return smoothed(path_through(middle_m + np.vstack([first, ring, last])), _RAMP_M)
 
 
 def _approach(length_m: float) -> Array:
