@@ -14,7 +14,6 @@ from eval.out_folder import make_folder
 from eval.sweep_job import SweepJob, plan_job
 from eval.sweep_pool import run_jobs
 from eval.sweep_results import collect_rows, write_parquet
-from scenarios.cache import RecordingCache
 from scenarios.sweep import Sweep, load_sweep
 from sim.rendering.choice import require_renderer
 
@@ -54,8 +53,7 @@ def sweep(reference: str, workers: int, out: Path | None, console: Console) -> S
 
 def _require_renderers_of(jobs: list[SweepJob]) -> None:
     """Refuse once, instead of in every run, what this machine cannot render."""
-    cache = RecordingCache.of_user()
-    for renderer in sorted({job.renderer for job in jobs if not cache.holds(job.digest)}):
+    for renderer in sorted({job.renderer for job in jobs}):
         require_renderer(renderer)
 
 

@@ -14,6 +14,7 @@ from eval.run import RunRequest, run, run_name
 from scenarios.digest import recording_digest
 from scenarios.load import load_scenario
 from scenarios.sweep import SweepRun
+from sim.fingerprint import fingerprint
 from sim.rendering.names import RendererName
 
 
@@ -38,13 +39,15 @@ class SweepJob:
     code: str
 
     def is_finished(self) -> bool:
-        """Tell whether the run folder holds this very run, made by this very code."""
+        """Tell whether the run folder holds this very run, made by this code and drawn by this machine."""
         assert self.request.out is not None
         try:
             scores = json.loads((self.request.out / "scores.json").read_text())
-            return bool(scores["digest"] == self.digest and scores["provenance"]["code"] == self.code)
+            made_by = scores["provenance"]["code"], scores["provenance"]["renderer"]
         except (OSError, ValueError, KeyError, TypeError):
             return False
+        same_maker = made_by == (self.code, fingerprint(self.renderer))
+        return bool(scores["digest"] == self.digest and same_maker)
 
 
 def plan_job(planned: SweepRun, folder: Path) -> SweepJob:

@@ -60,10 +60,6 @@ class RecordingCache:
             os.utime(entry)
             yield entry / _BAG
 
-    def holds(self, digest: str) -> bool:
-        """Tell whether a recording is there; whether it is whole is seen when it is used."""
-        return (self.folder / digest).is_dir()
-
     def used_bytes(self) -> int:
         """Return the size of all recordings."""
         return sum(_size_bytes(path) for path in self._entries())

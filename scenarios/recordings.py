@@ -1,9 +1,14 @@
-"""The recording of a scenario and seed: from the cache, or rendered into it."""
+"""The recording of a scenario and seed: from the cache, or rendered into it.
+
+Another driver, processor or package draws other pictures, so what one machine has rendered answers for no
+other one that shares the cache, nor for the same one after an update.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -17,19 +22,33 @@ OnBundle = Callable[[int, int], None]
 
 @contextmanager
 def cached_recording(scenario: Scenario, seed: int, on_bundle: OnBundle) -> Iterator[Path]:
-    """Yield the bag of a scenario and seed; ``on_bundle(i, n)`` is called only if it must be rendered."""
+    """Yield the bag of a scenario and seed; ``on_bundle(i, n)`` is called only if it must be rendered.
+
+    Raises:
+        InputError: It must be rendered and this machine cannot.
+    """
+    # These load the graphics library, which those who only list scenarios do not need.
+    from sim.fingerprint import fingerprint
+    from sim.recorder import record
+    from sim.rendering.choice import require_renderer
+
+    machine = fingerprint(scenario.world.renderer)
 
     def render(bag: Path) -> None:
-        # These load the graphics library, which a cached recording does not need.
-        from sim.fingerprint import fingerprint
-        from sim.recorder import record
-
+        require_renderer(scenario.world.renderer)
         on_bundle(0, scenario.world.drive.bundle_count)  # the street is built first, which takes seconds
         record(scenario.world, scenario.rig, seed, bag, on_bundle)
-        (bag / FINGERPRINT).write_text(json.dumps(fingerprint(scenario.world.renderer), indent=1))
+        (bag / FINGERPRINT).write_text(json.dumps(machine, indent=1))
 
-    with RecordingCache.of_user().recording(recording_digest(scenario, seed), render) as bag:
+    name = recording_name(recording_digest(scenario, seed), machine)
+    with RecordingCache.of_user().recording(name, render) as bag:
         yield bag
+
+
+def recording_name(digest: str, machine: Mapping[str, str]) -> str:
+    """Return what the cache calls the recording of a digest that a machine has rendered."""
+    content = {"digest": digest, "machine": dict(machine)}
+    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
 def fingerprint_of(bag: Path) -> dict[str, str] | None:

@@ -20,7 +20,7 @@ def fingerprint(renderer: RendererName = "classic") -> dict[str, str]:
     return {
         "renderer": f"{renderer}, {probe(renderer).found}",
         "cpu": _cpu_name(),
-        "platform": platform.platform(),
+        "platform": " ".join((platform.system(), platform.machine(), *platform.libc_ver())),
         "python": platform.python_version(),
     } | packages
 
