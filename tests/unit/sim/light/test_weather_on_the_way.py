@@ -15,6 +15,7 @@ from sim.light.rain import Rain
 from sim.light.sprites import add_lamps
 from sim.light.surroundings import Surroundings
 from sim.light.tunnels import CoveredRoad, TunnelShade
+from sim.light.vehicles import Vehicle
 from sim.light.weather import WeatherConfig
 from sim.light.wet_lens import WetLens
 from sim.rendering.view import FAR_M, Picture, View
@@ -184,6 +185,20 @@ def test_a_lamp_shows_unless_something_stands_before_it() -> None:
     add_lamps(hidden, [lamp], VIEW, np.full_like(FAR_AWAY, 5.0))
     assert shown.max() > 20
     assert hidden.max() == 0
+
+
+def test_other_cars_light_the_night_and_leave_the_day_as_it_is() -> None:
+    turned = SE3(np.diag([-1.0, -1.0, 1.0]), np.array([20.0, 2.0, 0.0]))
+    oncoming = Vehicle(turned, (-2.2, 2.2), 0.9, (2.1, 0.66, 0.7), (-2.2, 0.66, 0.8))
+    meeting = Instant(3.0, PARKED.world_from_ego, np.zeros(3), (oncoming,))
+    shown = picture(np.full((100, 160), 30.0, np.float32))
+    for effect in ("night", "dusk"):
+        air = atmosphere(**{effect: 4.0})
+        alone, met = (air.light(shown, VIEW, instant) for instant in (PARKED, meeting))
+        assert met.max() > alone.max() + 100
+        assert (met < 0.9 * alone).any()  # in its shade
+    by_day = atmosphere(fog=2.0)
+    assert np.array_equal(by_day.light(shown, VIEW, meeting), by_day.light(shown, VIEW, PARKED))
 
 
 def test_a_dusk_without_lamps_is_lit_all_the_same() -> None:
