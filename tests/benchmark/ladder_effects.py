@@ -125,9 +125,8 @@ EFFECTS: Sequence[Effect] = (
     Effect("sensor.blur", "every point becomes a disc", falls=_TEXTURE, rises=("textureless_share",)),
     Effect(
         "sensor.motion_blur",
-        "what moves becomes a stripe, near things and those at the rim first",
-        falls=_TEXTURE,
-        rises=("textureless_share",),
+        "what moves becomes a stripe, near things and those at the rim first, and reaches over what is plain",
+        falls=(*_TEXTURE, "spectrum_slope"),
         frames=12,
     ),
     Effect(

@@ -32,6 +32,7 @@ IN_DOCS = {
     "mean_level": 0,
     "contrast_std": 0,
     "fast20_per_100kpx": 0,
+    "gftt_per_100kpx": 0,
     "gradient_mean": 1,
     "textureless_share": 2,
     "klt_survival_1": 2,
