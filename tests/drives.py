@@ -51,6 +51,16 @@ class Ramp:
         return np.asarray(climb + self.hump_m * (0.5 + 0.5 * np.cos(np.pi * u)))
 
 
+@dataclass(frozen=True)
+class Hillside:
+    """A road that climbs all the way."""
+
+    slope: float
+
+    def road_height_m(self, xy_m: Array) -> Array:
+        return np.asarray(self.slope * np.asarray(xy_m)[..., 0])
+
+
 @dataclass(frozen=True, eq=False)
 class Seen:
     """The car at one instant."""

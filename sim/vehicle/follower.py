@@ -24,11 +24,12 @@ class Follower:
 
     Attributes:
         progress_m: How far along the route the rear axle is; negative before its first point.
+        aside_m: How far to the left of it.
     """
 
     def __init__(self, route: Route, wheelbase_m: float, start_m: float) -> None:
         self._route, self._wheelbase_m = route, wheelbase_m
-        self.progress_m = start_m
+        self.progress_m, self.aside_m = start_m, 0.0
 
     def steer_rad(self, position_m: Array, velocity_mps: Array, heading: Array) -> float:
         """Return the bicycle-model steering angle that leads the rear axle along the route.
@@ -47,6 +48,7 @@ class Follower:
         aside_m = _cross(direction, position_m - self._route.point_m(self.progress_m))
         askew = _cross(direction, travel)  # sine of the angle
         over_m = max(_SHORTEST_M, _CORRECT_WITHIN_S * speed_mps)
+        self.aside_m = aside_m
         aside_m = min(max(aside_m, -_FURTHEST_ASTRAY_M), _FURTHEST_ASTRAY_M)
         ahead_pm = float(self._route.curvature_pm(self.progress_m + _PREVIEW_S * speed_mps))
         curvature_pm = ahead_pm - 2 * askew / over_m - aside_m / over_m**2

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
+from estimator.errors import InputError
 from estimator.se3 import Array
 from sim.vehicle.car import CarConfig
 from sim.vehicle.car_physics import STEP_S, car_model
@@ -26,7 +27,10 @@ from sim.vehicle.tyre import set_slip_speed
 KEPT_S = 1.0
 _RESERVE_S = 0.2  # kept beyond, for shutters that have closed after the newest bundle
 _RUN_UP_S = 2.0
+_LONGEST_RUN_UP_S = 20.0
 _DRIVER_EVERY = 5  # steps
+_FARTHEST_ASIDE_M = 6.0  # beyond it the car drives among houses, and pictures make no sense
+_WANTED = "wanted less of drive.speed_mps, drive.lateral_mps2 or the street's slope, or more drive.grip"
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +62,9 @@ class Motion:
             route: In the direction of its lane; a drive in reverse starts at its far end.
             road: What the wheels feel; None for the plane z = 0.
             car: The car's sizes.
+
+        Raises:
+            InputError: The car cannot get to its start; so does ``state_at`` where it loses its road.
         """
         self._route = in_order_of_travel(config, route)
         self.model = car_model(car, config.grip)
@@ -110,18 +117,26 @@ class Motion:
         self._keep()
         start_m, direction = self._route.point_m(0.0), self._route.direction(0.0)
         while self._newest < 0 if still else (self._data.qpos[:2] - start_m) @ direction < 0:
+            if self._steps * STEP_S > _LONGEST_RUN_UP_S:
+                raise InputError(f"drive: the car never gets to its start; {_WANTED}")
             self._step(rolling_up=True)
         self._zero = self._steps
 
     def _step(self, rolling_up: bool = False) -> None:
         if self._steps % _DRIVER_EVERY == 0:
             self._driver.act(self._data, 0.0 if rolling_up else self._newest * STEP_S, rolling_up)
+            if abs(self._follower.aside_m) > _FARTHEST_ASIDE_M:
+                raise InputError(
+                    f"drive: the car leaves the road after {max(self._newest * STEP_S, 0.0):.1f} s; {_WANTED}"
+                )
             set_slip_speed(
                 self.model, "front_left_contact", self._car.tyre, float(np.hypot(*self._data.qvel[:2]))
             )
         if self._ground is not None:
             self._ground.follow(self._data, self._steps)
         mujoco.mj_step(self.model, self._data)
+        if self._data.warning[mujoco.mjtWarning.mjWARN_BADQACC].number:  # MuJoCo goes on from a fresh start
+            raise InputError(f"drive: the car tumbles after {self._newest * STEP_S:.1f} s; {_WANTED}")
         self._steps += 1
         self._keep()
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from estimator.errors import InputError
 from estimator.se3 import SE3
 from sim.scene import assemble_scene
 from sim.stage import Stage
@@ -13,7 +14,7 @@ from sim.vehicle.car_state import velocity_in_ego, world_from_ego
 from sim.vehicle.drive import DriveConfig
 from sim.vehicle.motion import KEPT_S, Motion
 from sim.vehicle.route import Route
-from tests.drives import CAR, STRAIGHT, Ramp, Seen, bend, drive, ellipse, off_route_m
+from tests.drives import CAR, STRAIGHT, Hillside, Ramp, Seen, bend, drive, ellipse, off_route_m
 from tests.mounts import left_side_rig
 
 
@@ -23,6 +24,19 @@ def test_starts_at_the_start_of_the_route_already_at_speed() -> None:
     assert 0.0 <= start.world_from_ego.translation[0] < 0.011  # within a physics step
     assert np.abs(start.world_from_ego.translation[1:]).max() < 1e-3
     assert start.velocity_ego_mps[0] == pytest.approx(5.0, abs=0.01)
+
+
+def test_a_car_that_slides_off_its_road_is_refused() -> None:
+    config = DriveConfig(speed_mps=20.0, distance_m=80.0, grip=0.1, lateral_mps2=12.0)
+    with pytest.raises(
+        InputError, match=r"drive: the car leaves the road after \d+\.\d s; wanted less of drive"
+    ):
+        drive(config, bend(15.0))
+
+
+def test_a_car_that_cannot_climb_to_its_start_is_refused() -> None:
+    with pytest.raises(InputError, match="drive: the car never gets to its start; wanted"):
+        drive(DriveConfig(speed_mps=2.0, distance_m=5.0, grip=0.1), road=Hillside(0.2))
 
 
 def test_pulls_away_from_a_standstill_at_the_start_of_the_route() -> None:
