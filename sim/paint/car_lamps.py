@@ -6,7 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sim.paint.canvas import RgbImage
-from sim.paint.cars import FRONT_AT_M, REAR_AT_M, SIZE_M, WIDE_M
+from sim.paint.car_layout import FRONT_AT_M, REAR_AT_M, SIZE_M, WIDE_M
 
 _HEADLAMP_LEVEL, _TAIL_LAMP_LEVEL = 230, 40  # of a sunny day's levels
 _ACROSS_M = 0.55  # from either side, in which lamps sit

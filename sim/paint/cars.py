@@ -6,14 +6,21 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.paint.canvas import Canvas, RgbImage
+from sim.paint.car_ends import paint_end
+from sim.paint.car_layout import (
+    BLACK_AT_M,
+    FRONT_AT_M,
+    REAR_AT_M,
+    SIDE_AT_M,
+    SIZE_M,
+    TALL_M,
+    TOP_AT_M,
+    WHEEL_M,
+    WIDE_M,
+)
+from sim.paint.car_wheel import paint_wheel
 from sim.paint.noise import fractal
-from sim.shapes.mesh import Rect
 
-SIZE_M = (8.0, 4.2)  # of the texture
-SIDE_AT_M = (0.1, 0.05)  # where parts begin; x runs from tail to nose, y down from 2.2 m above the road
-TOP_AT_M = (0.1, 2.3)
-FRONT_AT_M, REAR_AT_M, WHEEL_AT_M, BLACK_AT_M = (5.3, 0.05), (5.3, 2.3), (7.25, 0.1), (7.25, 3.0)
-TALL_M, WIDE_M, WHEEL_M = 2.2, 1.9, 0.33
 _TEXEL_M = 0.012
 COLORS = (
     (172, 174, 178),
@@ -38,16 +45,6 @@ _DOORS = (
 )  # pillars along the windows
 
 
-def rect(at_m: tuple[float, float], size_m: tuple[float, float]) -> Rect:
-    """Part of the texture as texture coordinates."""
-    return (
-        at_m[0] / SIZE_M[0],
-        at_m[1] / SIZE_M[1],
-        (at_m[0] + size_m[0]) / SIZE_M[0],
-        (at_m[1] + size_m[1]) / SIZE_M[1],
-    )
-
-
 def paint_car(
     profile_m: Array, belt_m: float, axles_m: tuple[float, float], rng: np.random.Generator
 ) -> RgbImage:
@@ -65,8 +62,8 @@ def paint_car(
     _side(canvas, profile_m, belt_m, axles_m, color, rng)
     _top(canvas, profile_m, belt_m, color)
     for at, lamp in ((FRONT_AT_M, (240, 240, 230)), (REAR_AT_M, (176, 22, 20))):
-        _end(canvas, at, belt_m, lamp, rng)
-    _wheel(canvas, rng)
+        paint_end(canvas, at, belt_m, lamp, rng)
+    paint_wheel(canvas, rng)
     canvas.shade(0.05 * fractal(rng, canvas.shape, canvas.cells(0.8), 5, 0.7))
     dust = np.clip(fractal(rng, canvas.shape, canvas.cells(0.2), 4, 0.8) - 1.6, 0, 1)
     canvas.pixels += (
@@ -141,41 +138,3 @@ def _top(canvas: Canvas, profile: Array, belt: float, color: Array) -> None:
         )
     canvas.rect(x0 + last + 0.5, y0 + 0.25, x0 + profile[-1, 0], y0 + 0.27, color * 0.4)
     canvas.rect(x0 + last + 0.5, y0 + WIDE_M - 0.27, x0 + profile[-1, 0], y0 + WIDE_M - 0.25, color * 0.4)
-
-
-def _end(
-    canvas: Canvas, at: tuple[float, float], belt: float, lamp: tuple[int, int, int], rng: np.random.Generator
-) -> None:
-    x0, ground = at[0], at[1] + TALL_M - 0.4
-    canvas.rect(x0, ground - 0.12, x0 + WIDE_M, ground + 0.4, (28, 28, 30))
-    wide, tall, raised = rng.uniform(0.22, 0.42), rng.uniform(0.12, 0.26), rng.uniform(0.46, 0.56)
-    for left in (0.1, WIDE_M - 0.1 - wide):
-        canvas.rect(x0 + left, ground - raised, x0 + left + wide, ground - raised + tall, lamp)
-        canvas.frame(x0 + left, ground - raised, x0 + left + wide, ground - raised + tall, 0.03, (30, 30, 32))
-    low, high = rng.uniform(0.52, 0.68), rng.uniform(0.24, 0.32)
-    for bar in np.linspace(ground - 0.44, ground - high, int(rng.integers(1, 5))):
-        canvas.rect(x0 + low, bar, x0 + WIDE_M - low, bar + 0.05, (30, 30, 32))
-    canvas.rect(x0 + 0.66, ground - 0.14, x0 + 1.24, ground - 0.02, (236, 234, 222))
-    plate = "".join(rng.choice(list("ABCDEFHKLMNPRSTUVX"), 3)) + str(rng.integers(100, 999))
-    canvas.text(plate, x0 + 0.69, ground - 0.035, 0.08, (20, 20, 20))
-
-
-def _wheel(canvas: Canvas, rng: np.random.Generator) -> None:
-    """A tyre around a rim with holes, spokes, or a cap."""
-    x, y = WHEEL_AT_M[0] + WHEEL_M, WHEEL_AT_M[1] + WHEEL_M
-    canvas.ellipse((x, y), (WHEEL_M, WHEEL_M), (24, 24, 25))
-    rim, style, count = rng.uniform(0.19, 0.25), rng.integers(3), int(rng.integers(5, 11))
-    light, dark = np.full(3, rng.uniform(90, 190)), np.full(3, rng.uniform(22, 50))
-    turn = rng.uniform(0, 2 * np.pi)
-    angles = turn + np.linspace(0, 2 * np.pi, count, endpoint=False)
-    canvas.ellipse((x, y), (rim, rim), dark if style == 1 else light)
-    for angle in angles:
-        ahead = np.array([np.cos(angle), np.sin(angle)])
-        if style == 0:
-            hole = rng.uniform(0.03, 0.05)
-            canvas.ellipse((x, y) + 0.62 * rim * ahead, (hole, hole), dark)
-        elif style == 1:
-            canvas.stroke(np.array([[x, y], (x, y) + rim * ahead]), 0.16 / count**0.5, light)
-        else:
-            canvas.stroke(np.array([(x, y) + 0.4 * rim * ahead, (x, y) + 0.8 * rim * ahead]), 0.02, dark)
-    canvas.ellipse((x, y), (0.3 * rim, 0.3 * rim), light * rng.uniform(0.6, 1.1))

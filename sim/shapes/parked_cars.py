@@ -8,7 +8,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.paint.car_lamps import car_lamp_glow
-from sim.paint.cars import (
+from sim.paint.car_layout import (
     BLACK_AT_M,
     FRONT_AT_M,
     REAR_AT_M,
@@ -19,9 +19,9 @@ from sim.paint.cars import (
     WHEEL_AT_M,
     WHEEL_M,
     WIDE_M,
-    paint_car,
     rect,
 )
+from sim.paint.cars import paint_car
 from sim.shapes.mesh import Mesh, box, disc, merged, quads
 from sim.streets.scenery import Skin
 

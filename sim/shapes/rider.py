@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from estimator.se3 import Array
-from sim.paint.people import Look
+from sim.paint.looks import Look
 from sim.shapes.bicycle import GRIP_M, SADDLE_M
 from sim.shapes.loft import hanging_along, pitch_rotation, turned
 from sim.shapes.mesh import Mesh, merged

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from sim.paint.bicycle import paint_bicycle
-from sim.paint.cars import BLACK_AT_M, WHEEL_AT_M, WHEEL_M
-from sim.paint.cars import rect as car_rect
+from sim.paint.car_layout import BLACK_AT_M, WHEEL_AT_M, WHEEL_M
+from sim.paint.car_layout import rect as car_rect
 from sim.paint.heavy import region as heavy_region
-from sim.paint.people import draw_look, paint_person
+from sim.paint.looks import draw_look
+from sim.paint.people import paint_person
 from sim.seeds import rng_for
 from sim.shapes.bicycle import WHEELBASE_M, cranks_mesh, frame_mesh
 from sim.shapes.bicycle import wheel_mesh as bicycle_wheel_mesh

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from sim.paint.people import draw_look, paint_person
+from sim.paint.looks import draw_look
+from sim.paint.people import paint_person
 from sim.shapes.bicycle import WHEEL_M, WHEELBASE_M, frame_mesh
 from sim.shapes.bicycle import wheel_mesh as bicycle_wheel_mesh
 from sim.shapes.heavy import BUS, TRUCK, HeavyKind, heavy_body
