@@ -64,10 +64,11 @@ def check_length(kind: str, length_m: float) -> None:
     """
     shortest, why = SHORTEST_M[kind]
     longest = LONGEST_M.get(kind, LONGEST_TOWN_M)
-    if length_m < shortest:
-        raise ValueError(f"length_m is {length_m:g}; kind {kind} needs at least {shortest:g} m for {why}")
-    if length_m > longest:
-        raise ValueError(f"length_m is {length_m:g}; kind {kind} takes at most {longest:g} m, for memory")
+    reason = f"below it has no room for {why}" if length_m < shortest else "beyond it takes too much memory"
+    if not shortest <= length_m <= longest:
+        raise ValueError(
+            f"got {length_m:g}, wanted {shortest:g} to {longest:g} for a street of kind {kind}; {reason}"
+        )
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, Self
+from typing import Literal
 
 import mujoco
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field, ValidationInfo, field_validator
 
 from estimator.config import Config
 from estimator.se3 import Array
@@ -42,7 +42,9 @@ class StreetConfig(Config):
         "suburb",
         "canyon",
     ] = "bend"
-    length_m: float = Field(70.0, ge=20.0, le=1500.0)  # that can be driven; once round, of a closed kind
+    length_m: float = Field(
+        70.0, ge=20.0, le=1500.0, validate_default=True
+    )  # that can be driven; once round, of a closed kind
     facades: Facades = "varied"
     parking: float = Field(0.6, ge=0.0, le=1.0)  # share of the bays that are taken
     vegetation: float = Field(1.0, ge=0.0, le=1.0)  # share of the plants that grow
@@ -51,10 +53,12 @@ class StreetConfig(Config):
     roughness: float = Field(0.0, ge=0.0, le=5.0)  # 1 to 5: ISO 8608 classes A to E
     traffic: TrafficConfig = TrafficConfig()
 
-    @model_validator(mode="after")
-    def _has_room_for_its_kind(self) -> Self:
-        check_length(self.kind, self.length_m)
-        return self
+    @field_validator("length_m")
+    @classmethod
+    def _has_room_for_its_kind(cls, length_m: float, info: ValidationInfo) -> float:
+        if "kind" in info.data:  # else that is refused
+            check_length(info.data["kind"], length_m)
+        return length_m
 
     @property
     def is_closed(self) -> bool:

@@ -148,6 +148,15 @@ def test_lamps_in_a_renderer_that_cannot_draw_them_are_refused(settings: list[st
             "it needs a street of at least 505 m",
         ),
         (
+            ["street={kind: loop, length_m: 70}"],
+            "--set: street.length_m: got 70, wanted 200 to 800 for a street of kind loop; "
+            "below it has no room for once round a block",
+        ),
+        (
+            ["street={kind: car_park, length_m: 301}"],
+            "--set: street.length_m: got 301, wanted 90 to 300 for a street of kind car_park; beyond",
+        ),
+        (
             ["drive.grip=0.1", "street.slope_percent=15"],
             "--set: street.slope_percent: got 15, wanted 0 to 3 where drive.grip is 0.1: its wheels",
         ),
