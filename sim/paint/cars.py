@@ -6,7 +6,7 @@ import numpy as np
 
 from estimator.se3 import Array
 from sim.paint.canvas import Canvas, RgbImage
-from sim.paint.car_ends import paint_end
+from sim.paint.car_ends import paint_end, trim_front, trim_rear
 from sim.paint.car_layout import (
     BLACK_AT_M,
     FRONT_AT_M,
@@ -36,7 +36,7 @@ COLORS = (
     (96, 40, 44),
     (70, 98, 140),
 )
-_GLASS = (34, 40, 46)
+_GLASS, _INSIDE = (34, 40, 46), (17, 19, 21)
 _DOORS = (
     (0.02, 0.36, 0.7),
     (0.05, 0.5),
@@ -61,8 +61,11 @@ def paint_car(
     length = float(profile_m[-1, 0])
     _side(canvas, profile_m, belt_m, axles_m, color, rng)
     _top(canvas, profile_m, belt_m, color)
+    trim = rng.spawn(1)[0]
     for at, lamp in ((FRONT_AT_M, (240, 240, 230)), (REAR_AT_M, (176, 22, 20))):
-        paint_end(canvas, at, belt_m, lamp, rng)
+        paint_end(canvas, at, lamp, rng)
+    trim_front(canvas, FRONT_AT_M, color, trim)
+    trim_rear(canvas, REAR_AT_M, belt_m, float(profile_m[:, 1].max()), color, trim)
     paint_wheel(canvas, rng)
     canvas.shade(0.05 * fractal(rng, canvas.shape, canvas.cells(0.8), 5, 0.7))
     dust = np.clip(fractal(rng, canvas.shape, canvas.cells(0.2), 4, 0.8) - 1.6, 0, 1)
@@ -88,6 +91,10 @@ def _side(
     roof = np.array([[x0 + x, ground - z + 0.07] for x, z in above])
     ends = np.array([[roof[-1, 0] + 0.25, ground - belt], [roof[0, 0] - 0.2, ground - belt]])
     canvas.fill(np.vstack([roof, ends]), _GLASS)
+    for share in (0.3, 0.62):
+        seat = roof[0, 0] + share * (roof[-1, 0] - roof[0, 0])
+        canvas.ellipse((seat, ground - belt - 0.13), (0.1, 0.13), _INSIDE)
+        canvas.rect(seat - 0.16, ground - belt - 0.1, seat + 0.08, ground - belt, _INSIDE)
     sky = np.vstack([roof, roof[::-1] + np.array([0.0, 0.16])])
     canvas.fill(sky, (150, 164, 176), 0.45)
     low, high = roof[0, 0], roof[-1, 0]
@@ -133,6 +140,8 @@ def _top(canvas: Canvas, profile: Array, belt: float, color: Array) -> None:
     peak = profile[profile[:, 1] > profile[:, 1].max() - 0.1]
     for a, b in ((first - 0.3, peak[0, 0] - 0.03), (peak[-1, 0] + 0.03, last + 0.45)):
         canvas.rect(x0 + a, y0 + 0.16, x0 + b, y0 + WIDE_M - 0.16, _GLASS)
+        for across in (0.34, 0.66):
+            canvas.ellipse((x0 + (a + b) / 2, y0 + across * WIDE_M), (0.3 * (b - a), 0.17), _INSIDE)
         canvas.fill(
             np.array([[a, 0.3], [b, 0.5], [b, 0.9], [a, 0.7]]) + np.array([x0, y0]), (170, 182, 190), 0.4
         )
