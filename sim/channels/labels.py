@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sim.rendering.geom_picture import SKY, GeomImage
+from sim.traffic.model import actor_of
 from sim.vehicle.car import CHASSIS
 
 CLASSES = (
@@ -37,11 +38,16 @@ _WORDS = {
     "land": "land",
     "house": "building",
     "wall": "building",
+    "plain": "building",
     "tunnel": "building",
+    "portal": "building",
     "plants": "vegetation",
     "furniture": "furniture",
     "sign": "furniture",
     "lamp": "furniture",
+    "gantry": "furniture",
+    "rail": "furniture",
+    "marker": "furniture",
 }
 
 
@@ -51,7 +57,7 @@ class Labels:
 
     Attributes:
         class_of_geom: (ngeom + 1,) index into ``CLASSES``.
-        instance_of_geom: (ngeom + 1,) 0 for the sky; all geoms of a moving body share one number.
+        instance_of_geom: (ngeom + 1,) 0 for the sky; all parts of a moving thing share one number.
         instance_names: Name by number.
     """
 
@@ -79,7 +85,8 @@ def label_geoms(model: mujoco.MjModel) -> Labels:
     for geom in range(model.ngeom):
         root = int(model.body_rootid[model.geom_bodyid[geom]])
         own_name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_GEOM, geom) or f"geom_{geom}"
-        name = own_name if root == 0 else mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, root)
+        moving = root != 0
+        name = actor_of(mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_BODY, root)) if moving else own_name
         if name not in numbers:
             numbers[name] = len(names)
             names.append(name)
@@ -92,11 +99,12 @@ def _class_of(model: mujoco.MjModel, geom: int, root: int, name: str) -> str:
     if name == CHASSIS:
         return "own_car"
     if root != 0:
-        return _by_word(name)
+        return class_named(name)
     material = int(model.geom_matid[geom])
     skin = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_MATERIAL, material) if material >= 0 else ""
-    return _by_word(skin or "")
+    return class_named(skin or "")
 
 
-def _by_word(name: str) -> str:
+def class_named(name: str) -> str:
+    """Return the class that the name of a skin or of a moving body tells."""
     return next((_WORDS[word] for word in name.split("_") if word in _WORDS), "other")

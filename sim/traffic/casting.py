@@ -81,7 +81,7 @@ def _own_lane(
     platoon = Platoon(route, progress_m, members)
     cast = [models[member.model] for member in members]
     troupe = Troupe(
-        "own_lane",
+        "car_own_lane",
         cast,
         [route],
         np.zeros(len(cast), np.int64),

@@ -13,6 +13,7 @@ from sim.shapes.mesh import Mesh
 from sim.streets.scenery import Skin, write_mesh, write_skin
 from sim.traffic.pose import Stance, in_world
 
+_PART = ".part"  # in a body's name, between the actor's and the part's number
 Part = tuple[tuple[Mesh, str], ...]  # meshes and the names of their skins
 
 
@@ -80,7 +81,12 @@ class Bodies:
         data.mocap_quat[self._ids] = quaternions.reshape(-1, 4)
 
     def _name(self, number: int, part: int) -> str:
-        return f"{self._prefix}_{number}_{part}"
+        return f"{self._prefix}_{number}{_PART}{part}"
+
+
+def actor_of(body: str) -> str:
+    """Return the name of the actor that a body is a part of; of any other body, its own name."""
+    return body.partition(_PART)[0]
 
 
 def _write_model(spec: mujoco.MjSpec, model: Model) -> None:
