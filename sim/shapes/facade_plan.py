@@ -64,10 +64,12 @@ def draw_facade(
     )
 
 
-def draw_plain_house(width_m: float, rng: np.random.Generator, corner: bool = False) -> Facade:
+def draw_plain_house(
+    width_m: float, rng: np.random.Generator, corner: bool = False, floors: tuple[int, ...] = (0, 1)
+) -> Facade:
     """Draw a rendered house with few openings: hardly anything for a tracker to hold on to."""
     rhythm = replace(
-        draw_rhythm(width_m, (0, 1), rng),
+        draw_rhythm(width_m, floors, rng),
         bays=max(1, round(width_m / 3.6)),
         surround_m=0.0,
         shutters=False,

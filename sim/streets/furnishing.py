@@ -11,6 +11,7 @@ from sim.paint.facade import paint_render
 from sim.paint.furniture import furniture_glow, paint_furniture
 from sim.paint.plants import paint_plants
 from sim.paint.tagged import paint_tagged
+from sim.streets.backdrop import plant_backdrop
 from sim.streets.catalogue import PLAIN, SKINS, TAGGED, Catalogue, furniture_skin
 from sim.streets.footprint import Ground, rectangle_m
 from sim.streets.islands import furnish_islands
@@ -49,7 +50,8 @@ def furnish(
     Returns:
         What stands there, and what of it shines at night.
     """
-    paint, cars, bays, plants, trees, gardens, things, middles, verges, barriers, tunnels = rng.spawn(11)
+    paint, cars, bays, plants, trees, gardens, things, middles, *beyond = rng.spawn(12)
+    verges, barriers, tunnels, copses = beyond
     catalogue = Catalogue(plants)
     built = [lot.outline_m for lot in lots if lot.use != "garden"]
     behind = Site("garden", Ground(list(built)), network.relief, driven_m)
@@ -59,6 +61,8 @@ def furnish(
             plant_garden(behind, lot, green)
         elif lot.use == "house" and lot.setback_m > 1.0:
             plant_front_garden(behind, lot, green)
+    if any(kerb.lining == "houses" for kerb in network.kerbs):
+        plant_backdrop(behind, network, lots, driven_m, Greenery(catalogue, vegetation, copses))
     car_skins, models = draw_cars(cars)
     parked = Site("parked", Ground([]), network.relief, driven_m)
     park(parked, network.bays, models, parking, bays)

@@ -85,7 +85,9 @@ def _skin(facade: Facade, texel_m: float, rng: np.random.Generator) -> Skin:
 
 def _drawn(lot: Lot, facades: Facades, floors: tuple[int, ...], rng: np.random.Generator) -> Facade:
     seen = any(lot.seen)
-    if facades == "bare" or lot.setback_m > 3.0:
+    if facades == "bare" or lot.setback_m > 3.0:  # a gateway needs a floor above it
+        if lot.gateway_m:
+            return with_gateway(draw_plain_house(lot.width_m, rng, seen, (1,)), lot.gateway_m)
         return draw_plain_house(lot.width_m, rng, seen)
     if lot.gateway_m:
         high = floors if floors == CANYON else GATE_FLOORS

@@ -66,9 +66,14 @@ def test_a_wall_swept_along_a_line_is_seen_from_its_right() -> None:
     assert facing(mesh, (0, 1, 0)) == 0.0
 
 
+@pytest.mark.parametrize("is_plain", (False, True))
 @pytest.mark.parametrize("seed", range(4))
-def test_nothing_of_a_front_is_left_in_its_gateway(seed: int) -> None:
-    whole = draw_facade(14.0, np.random.default_rng(seed), shops=False, floors=GATE_FLOORS)
+def test_nothing_of_a_front_is_left_in_its_gateway(seed: int, is_plain: bool) -> None:
+    rng = np.random.default_rng(seed)
+    if is_plain:
+        whole = draw_plain_house(14.0, rng, floors=(1,))
+    else:
+        whole = draw_facade(14.0, rng, shops=False, floors=GATE_FLOORS)
     cut = with_gateway(whole, 7.0)
     gateway = cut.panels[-1]
     assert (gateway.x1 - gateway.x0, gateway.z0, gateway.z1) == (7.0, 0.0, GATEWAY_M)

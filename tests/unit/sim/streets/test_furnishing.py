@@ -9,6 +9,7 @@ import pytest
 from shapely.geometry import LineString, Polygon
 
 from sim.paint.tagged import COUNTS, paint_tagged, tagged_part
+from sim.streets.backdrop import open_views
 from sim.streets.catalogue import TAGGED
 from sim.streets.footprint import gap_m
 from sim.streets.furnishing import furnish
@@ -160,3 +161,13 @@ def test_every_piece_is_painted_differently() -> None:
         corners = [np.array(tagged_part(kind, k)).reshape(2, 2) * image.shape[1::-1] for k in range(count)]
         painted = {image[int(y0) : int(y1), int(x0) : int(x1)].tobytes() for (x0, y0), (x1, y1) in corners}
         assert len(painted) == count
+
+
+def test_a_view_between_houses_ends_at_a_copse() -> None:
+    plan = network("car_park")
+    lots = draw_lots(plan, "varied", np.random.default_rng(1))
+    views, _ = open_views(plan, lots, driven_line_m(plan.route, KINDS["car_park"]))
+    plants = np.array([p.position_m[:2] for p in furnished("car_park")[0] if p.skin == "plants"])
+    assert len(views) > 10
+    away_m = np.linalg.norm(views[:, None] - plants[None], axis=2).min(axis=1)
+    assert np.quantile(away_m, 0.9) < 7.0
