@@ -140,11 +140,12 @@ class _OrderedPipeline(Pipeline):  # type: ignore[misc]
         is_new = self._main_fb is None or self._main_fb_dims != (self.viewport_width, self.viewport_height)
         super()._configure_main_framebuffer()
         if is_new:
+            samples = min(self._multisamples, int(GL.glGetIntegerv(GL.GL_MAX_SAMPLES)))
             for buffer, kind in (
                 (self._main_cb_ms, GL.GL_RGBA),
                 (self._main_db_ms, GL.GL_DEPTH_COMPONENT24),
             ):
                 GL.glBindRenderbuffer(GL.GL_RENDERBUFFER, buffer)
                 GL.glRenderbufferStorageMultisample(
-                    GL.GL_RENDERBUFFER, self._multisamples, kind, self.viewport_width, self.viewport_height
+                    GL.GL_RENDERBUFFER, samples, kind, self.viewport_width, self.viewport_height
                 )

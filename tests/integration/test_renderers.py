@@ -132,6 +132,13 @@ def test_draft_draws_no_shadows(name: RendererName) -> None:
     assert (darker > 25).mean() > 0.01
 
 
+@pytest.mark.parametrize("name", RENDERER_NAMES)
+def test_fine_draws_the_same_world_with_as_many_samples_as_the_driver_has(name: RendererName) -> None:
+    standard, fine = (draw(name, box_world(quality), VIEWS)["ahead"].rgb for quality in ("standard", "fine"))
+    apart = np.abs(fine.astype(float) - standard).mean(-1)
+    assert 0 < apart.mean() < 3, "only outlines and the edges of shadows differ"
+
+
 def draw(
     name: RendererName, model: mujoco.MjModel, views: dict[str, View], depth: bool = False
 ) -> dict[str, Picture]:
