@@ -93,7 +93,7 @@ def _ground_of_columns(canvas: Canvas) -> None:
     """What is seen between the leaves: the same green, far darker."""
     x_m, y_m = ((np.arange(count, dtype=np.float64) + 0.5) * _TEXEL_M for count in canvas.shape[::-1])
     greens = np.array(list(_GREENS.values()), float)[_species_at(x_m)]
-    canvas.pixels[:] = 0.42 * greens[None] * _exposure(y_m)[:, None, None]
+    canvas.pixels[:] = 0.38 * greens[None] * _exposure(y_m)[:, None, None]
 
 
 def _bark(canvas: Canvas, kind: int, rng: np.random.Generator) -> None:

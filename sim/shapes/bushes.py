@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from sim.paint.plants import leaves
-from sim.shapes.foliage import foliage, leaf_kites
+from sim.shapes.foliage import foliage, leaf_sprays
 from sim.shapes.mesh import Mesh, box, merged
 
 
@@ -22,7 +22,7 @@ def bush_mesh(radius_m: float, species: str, rng: np.random.Generator) -> Mesh:
     scale = max(1.0, radius_m)
     sizes = 0.46 * radius_m * rng.uniform(0.7, 1.2, count)
     return foliage(
-        clusters, sizes, middle, species, round(110 + 190 * radius_m), (0.06 * scale, 0.12 * scale), rng
+        clusters, sizes, middle, species, round(110 + 130 * radius_m), (0.09 * scale, 0.18 * scale), rng
     )
 
 
@@ -44,7 +44,7 @@ def hedge_mesh(
 
 def _coat(length: float, height: float, width: float, species: str, rng: np.random.Generator) -> Mesh:
     """Leaves on both faces and on top; the top stands in the light."""
-    count = round(length * (2 * height + width) * 15)
+    count = round(length * (2 * height + width) * 10)
     on_top = rng.random(count) < width / (2 * height + width)
     side = rng.choice([-1.0, 1.0], count)
     across = np.where(
@@ -56,14 +56,14 @@ def _coat(length: float, height: float, width: float, species: str, rng: np.rand
         [np.where(on_top, 0.2 * side, side), rng.normal(0, 0.2, count), np.where(on_top, 1.0, 0.3)]
     )
     open_share = np.where(on_top, 0.85, 0.25 + 0.5 * z / height)
-    return leaf_kites(spots, out, open_share, leaves(species), rng.uniform(0.06, 0.13, count), rng)
+    return leaf_sprays(spots, out, open_share, leaves(species), rng.uniform(0.09, 0.19, count), rng)
 
 
 def tuft_mesh(species: str, rng: np.random.Generator) -> Mesh:
     """Weeds and grass knee-high and lower, standing at the origin."""
-    count = 22
+    count = 15
     spots = np.column_stack([rng.normal(0, 0.13, (count, 2)), 0.05 + np.abs(rng.normal(0, 0.09, count))])
     out = np.column_stack([spots[:, :2] * 3.0, np.full(count, 0.6)])
-    return leaf_kites(
-        spots, out, 0.3 + 2.5 * spots[:, 2], leaves(species), rng.uniform(0.04, 0.1, count), rng
+    return leaf_sprays(
+        spots, out, 0.3 + 2.5 * spots[:, 2], leaves(species), rng.uniform(0.07, 0.16, count), rng
     )

@@ -47,8 +47,8 @@ SPECIES = (
     Species("copper", 0, (5.0, 7.0), 0.3, 0.34, 0.6, 30, 0.34, 0.2),
 )
 SPRUCE = Species("spruce", 0, (4.5, 8.0), 0.22, 0.06, -0.12, 38, 0.3, 1.0)
-FINE_LEAVES, COARSE_LEAVES = 1150, 260
-_FINE_LEAF_M, _COARSE_LEAF_M = (0.1, 0.19), (0.2, 0.36)
+FINE_TWIGS, COARSE_TWIGS = 860, 250
+_FINE_LEAF_M, _COARSE_LEAF_M = (0.18, 0.32), (0.3, 0.52)
 
 
 def tree_mesh(species: Species, fine: bool, rng: np.random.Generator) -> Mesh:
@@ -77,7 +77,7 @@ def tree_mesh(species: Species, fine: bool, rng: np.random.Generator) -> Mesh:
         * rng.uniform(0.7, 1.25, len(ends))
         * (1.0 if fine else 1.3)
     )
-    count = FINE_LEAVES if fine else COARSE_LEAVES
+    count = FINE_TWIGS if fine else COARSE_TWIGS
     leaf_m = _FINE_LEAF_M if fine else _COARSE_LEAF_M
     parts.append(foliage(ends, sizes, middle, species.leaf, count, leaf_m, rng))
     return merged(parts)

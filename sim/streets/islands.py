@@ -18,6 +18,7 @@ from sim.streets.planting import Greenery
 _THIN_M = 3.0
 _MAST_M = 7.5
 _TREE_EVERY_M, _MAST_EVERY_M = 8.0, 16.0
+_FINE_TREES_M = 14.0  # from the driven line; nothing stands before them as it does along a street
 
 
 def furnish_islands(site: Site, network: Network, green: Greenery) -> list[Lamp]:
@@ -70,7 +71,7 @@ def _strip(site: Site, kerb: KerbLine, axis: LineString, index: int, green: Gree
                 kerb.height_m,
             )
     for s in np.arange(2.5, axis.length - 1.0, _TREE_EVERY_M):
-        trees = green.catalogue.trees(fine=site.from_route_m(start + s * ahead) < 8.0)
+        trees = green.catalogue.trees(fine=site.from_route_m(start + s * ahead) < _FINE_TREES_M)
         tree = trees[int(rng.integers(len(trees)))]
         site.put_at(tree, start + s * ahead, rng.uniform(0, 6), kerb.height_m, 0.3, shown=green.grows())
     for s in np.arange(1.0, axis.length - 0.5, 1.3):
