@@ -38,9 +38,7 @@ def record_to(request: RecordRequest, console: Console) -> Path:
     """
     scenario = load_scenario(request.scenario, request.settings, request.seed)
     rig_file = request.out.with_name(f"{request.out.name}.rig.yaml")
-    if rig_file.exists():
-        raise InputError(f"{rig_file}: exists; wanted a name that is free")
-    with creating(request.out) as bag, _creating_film(request.video) as film:
+    with creating(request.out) as bag, _creating_film(request.video) as film, creating(rig_file) as rig:
         with cached_recording(
             scenario, request.seed, lambda done, total: console.progress("rendering", done, total)
         ) as cached:
@@ -48,7 +46,7 @@ def record_to(request: RecordRequest, console: Console) -> Path:
         if film is not None:
             title = f"{scenario.name}, seed {request.seed}"
             write_video(bag, scenario.rig, scenario.world.drive.rate_hz, film, title, console)
-        write_rig(scenario.rig, rig_file)
+        write_rig(scenario.rig, rig)
     return rig_file
 
 
