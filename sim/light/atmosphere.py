@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import cv2
 import numpy as np
@@ -53,6 +54,11 @@ class Instant:
     world_from_ego: SE3
     velocity_mps: Array
     vehicles: tuple[Vehicle, ...] = ()
+
+    @cached_property
+    def own(self) -> Vehicle:
+        """The driven car; the same value for every view."""
+        return driven_vehicle(self.world_from_ego)
 
 
 class Atmosphere:
@@ -131,8 +137,7 @@ class Atmosphere:
             light = grey(rgb) * np.float32(self._daylight.level)
             return light if left is None else light * surfaces.enlarged(left)
         sources = self._relight.near(surfaces)
-        own = driven_vehicle(instant.world_from_ego)
-        lamplight = self._relight.lamplight(surfaces, sources, own, instant.vehicles)
+        lamplight = self._relight.lamplight(surfaces, sources, instant.own, instant.vehicles)
         light = self._relight.together(split(rgb), surfaces, daylight, lamplight, left)
         add_lamps(light, [*sources, *self._relight.on_cars(instant.vehicles)], view, surfaces.depth_m)
         return light
@@ -150,8 +155,7 @@ class Atmosphere:
         if self.in_channels:
             sources = [*self._relight.near(surfaces), *self._relight.facing(surfaces, instant.vehicles)]
             haze = lamp_haze(sources, surfaces, per_m)
-            own = driven_vehicle(instant.world_from_ego)
-            haze += self._relight.headlights * headlight_haze(own, surfaces, per_m)
+            haze += self._relight.headlights * headlight_haze(instant.own, surfaces, per_m)
             result += cv2.resize(haze, light.shape[::-1], interpolation=cv2.INTER_LINEAR)
         return np.asarray(result, np.float32)
 

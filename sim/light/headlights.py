@@ -5,8 +5,6 @@ Other vehicles stop a beam; nothing else does. Seen from above that is enough, s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from estimator.se3 import Array
@@ -22,7 +20,8 @@ _ABOVE = 0.015  # of the peak, above the cut-off
 _DOWN = 0.05  # tangent over which the beam fades towards the car, so that the road is lit evenly
 _HAZY, _HAZY_PEAK = 4.0, 0.25  # how much softer the beam is in fog, and what is left of its peak
 _WIDE, _WIDER = 0.30, 0.85  # tangents of the beam's width and of its skirts
-_REACH_M, _ASIDE_M = 60.0, 25.0  # ahead and aside, of what others light
+_REACH_M = 45.0  # ahead, of what others light
+_ASIDE_M, _ASIDE = 2.0, 0.9  # aside of their middle line: at the lamps, and for each metre ahead
 _PENUMBRA = 0.02  # tangent over which a shade fades
 # What is seen of the lamps themselves: radius, level facing it, share seen from aside.
 _FACE_M, _FACE_LEVEL, _TAIL_M, _TAIL_LEVEL, _FACE_ASIDE = 0.085, 420.0, 0.07, 26.0, 0.0
@@ -30,7 +29,7 @@ _GLARE = 0.35  # illuminance at one metre before the car that a lamp sheds above
 
 
 def headlight_light(
-    car: Vehicle, others: Sequence[Vehicle], points_m: Floats, normals: Floats, *, as_one: bool = False
+    car: Vehicle, others: tuple[Vehicle, ...], points_m: Floats, normals: Floats, *, as_one: bool = False
 ) -> Floats:
     """Return the illuminance by both beams of a car, for (3, ...) world points and normals.
 
@@ -53,7 +52,8 @@ def headlight_light(
     x = turn[0] @ points + shift[0]
     reached = x > np.float32(car.headlamp_m[0] + 0.1)
     if as_one:
-        reached &= (x < _REACH_M) & (np.abs(turn[1] @ points + shift[1]) < _ASIDE_M)
+        y = np.abs(turn[1] @ points + shift[1])
+        reached &= (x < _REACH_M) & (y < np.float32(_ASIDE_M) + np.float32(_ASIDE) * x)
     ahead = np.flatnonzero(reached)
     points_car = turn @ points[:, ahead] + shift[:, None]
     normals_car = turn @ normals[:, ahead]
@@ -62,7 +62,7 @@ def headlight_light(
         distance2 = np.einsum("ij,ij->j", away, away)
         facing = np.maximum(-np.einsum("ij,ij->j", away, normals_car), 0)
         lit = beam(away) * facing / (distance2 * np.sqrt(distance2))
-        for shade in shades_of(place, car, others):
+        for shade in shades_of(_triple(place), car, others):
             lit *= _past(shade, away)
         total[ahead] += lit
     return total.reshape(shape) * np.float32(2 / len(places))

@@ -97,10 +97,10 @@ class Relight:
         low, high = surfaces.points_m.reshape(3, -1).min(1), surfaces.points_m.reshape(3, -1).max(1)
         lit = [lamp for lamp in (*sources, *tails) if _within(lamp, low, high)]
         total = lamp_light(lit, surfaces.points_m, surfaces.normals)
-        near = [car for car in others if car.beams > 0]
+        near = tuple(car for car in others if car.beams > 0)
         beams = headlight_light(own, near, surfaces.points_m, surfaces.normals)
         for car in near:
-            ahead = headlight_light(car, [own, *near], surfaces.points_m, surfaces.normals, as_one=True)
+            ahead = headlight_light(car, (own, *near), surfaces.points_m, surfaces.normals, as_one=True)
             beams += np.float32(car.beams) * ahead
         return np.asarray(total + np.float32(self.headlights) * beams)
 

@@ -5,8 +5,8 @@ The driven car and those of the traffic are treated alike. Cyclists and pedestri
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -19,6 +19,7 @@ _HEAVY_M = 5.5  # what is longer carries its lamps higher
 _BODYWORK_M = 0.1  # from the outer face of a wheel's middle to that of the body
 _FROM_SIDE_M, _BEHIND_NOSE_M = 0.24, 0.12
 _BEAMS_M = (40.0, 48.0)  # from the driven car, where others' beams begin to fade, and have
+_SHADED_M, _ASIDE = 35.0, 0.8  # ahead of a lamp, and the tangent aside, from where a shade matters
 SEEN_M = 140.0  # beyond, a lamp is no more than what a camera makes of its neighbours
 
 
@@ -108,8 +109,9 @@ class Shade:
     beyond_m: float
 
 
-def shades_of(lamp_m: Array, car: Vehicle, others: Sequence[Vehicle]) -> list[Shade]:
-    """Return what others hide from a lamp of a car, in the car's frame; ``lamp_m`` is (3,)."""
+@lru_cache(maxsize=256)  # vehicles are told apart by identity: all views of an instant ask for the same
+def shades_of(lamp_m: tuple[float, float, float], car: Vehicle, others: tuple[Vehicle, ...]) -> list[Shade]:
+    """Return what others that are near hide from a lamp of a car; ``lamp_m`` is in the car's frame."""
     shades = []
     car_from_world = car.world_from_car.inverse()
     for other in others:
@@ -118,7 +120,8 @@ def shades_of(lamp_m: Array, car: Vehicle, others: Sequence[Vehicle]) -> list[Sh
         (rear, front), half = other.ends_m, other.half_width_m
         outline = np.array([(rear, half, 0), (rear, -half, 0), (front, -half, 0), (front, half, 0)])
         corners = (car_from_world @ other.world_from_car).apply(outline) - lamp_m
-        if corners[:, 0].min() > 0.3:
+        if 0.3 < corners[:, 0].min() < _SHADED_M:
             sides = corners[:, 1] / corners[:, 0]
-            shades.append(Shade(float(sides.min()), float(sides.max()), float(corners[:, 0].mean())))
+            if sides.max() > -_ASIDE and sides.min() < _ASIDE:
+                shades.append(Shade(float(sides.min()), float(sides.max()), float(corners[:, 0].mean())))
     return shades

@@ -51,10 +51,10 @@ def test_headlights_turn_with_the_car() -> None:
     towards_x, towards_y = -np.eye(3, dtype=np.float32)[:, :1], -np.eye(3, dtype=np.float32)[:, 1:2]
     straight = driven_vehicle(SE3())
     left = driven_vehicle(SE3(np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]), np.zeros(3)))
-    assert headlight_light(straight, [], wall_ahead, towards_x)[0] > 0.01
-    assert headlight_light(straight, [], wall_left, towards_y)[0] == 0
-    turned = headlight_light(left, [], wall_left, towards_y)[0]
-    assert np.isclose(turned, headlight_light(straight, [], wall_ahead, towards_x)[0], rtol=1e-4)
+    assert headlight_light(straight, (), wall_ahead, towards_x)[0] > 0.01
+    assert headlight_light(straight, (), wall_left, towards_y)[0] == 0
+    turned = headlight_light(left, (), wall_left, towards_y)[0]
+    assert np.isclose(turned, headlight_light(straight, (), wall_ahead, towards_x)[0], rtol=1e-4)
 
 
 def car_at(x: float, y: float = 0.0, *, oncoming: bool = False) -> Vehicle:
@@ -66,16 +66,16 @@ def test_a_car_ahead_takes_the_beam_and_leaves_the_dark_beyond() -> None:
     own, towards = driven_vehicle(SE3()), -np.eye(3, dtype=np.float32)[:, :1]
     ahead, aside = car_at(15.0), car_at(15.0, 8.0)
     tail, beyond = at(12.8, 0.3, 0.6), at(30.0, 0.3, 0.2)
-    free = headlight_light(own, [], beyond, towards)[0]
-    assert headlight_light(own, [ahead], tail, towards)[0] > 0.1
-    assert headlight_light(own, [ahead], beyond, towards)[0] == 0
-    assert headlight_light(own, [aside], beyond, towards)[0] == free > 0
+    free = headlight_light(own, (), beyond, towards)[0]
+    assert headlight_light(own, (ahead,), tail, towards)[0] > 0.1
+    assert headlight_light(own, (ahead,), beyond, towards)[0] == 0
+    assert headlight_light(own, (aside,), beyond, towards)[0] == free > 0
 
 
 def test_one_lamp_for_both_lights_the_far_road_alike() -> None:
     car, far = car_at(0.0), at(25.0, 1.0, 0.0)
-    both = headlight_light(car, [], far, UP)[0]
-    assert np.isclose(headlight_light(car, [car], far, UP, as_one=True)[0], both, rtol=0.02)
+    both = headlight_light(car, (), far, UP)[0]
+    assert np.isclose(headlight_light(car, (car,), far, UP, as_one=True)[0], both, rtol=0.02)
 
 
 def test_headlamps_are_seen_from_before_and_tail_lamps_from_behind() -> None:

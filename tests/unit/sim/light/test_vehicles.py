@@ -38,8 +38,8 @@ def test_only_beams_near_by_are_worked_out() -> None:
 
 
 def test_a_shade_lies_beyond_what_is_ahead_and_nowhere_else() -> None:
-    lamp_m = np.array([2.1, 0.0, 0.7])
+    lamp_m = (2.1, 0.0, 0.7)
     own, ahead = car(0.0), car(20.0)
-    (shade,) = shades_of(lamp_m, own, [own, ahead, car(-20.0)])
+    (shade,) = shades_of(lamp_m, own, (own, ahead, car(-20.0)))
     assert np.isclose(shade.left, -shade.right)
     assert np.isclose(shade.beyond_m, 20.0 - 2.1)
