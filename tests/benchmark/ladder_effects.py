@@ -122,7 +122,12 @@ EFFECTS: Sequence[Effect] = (
         rows=(0, 200),
         columns=(170, 370),
     ),
-    Effect("sensor.blur", "every point becomes a disc", falls=_TEXTURE, rises=("textureless_share",)),
+    Effect(
+        "sensor.blur",
+        "every point becomes a disc, which reaches over what is plain as well",
+        falls=(*_TEXTURE, "spectrum_slope", *_TRUE),
+        rises=("shift_px",),
+    ),
     Effect(
         "sensor.motion_blur",
         "what moves becomes a stripe, near things and those at the rim first, and reaches over what is plain",
