@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from estimator.se3 import Array
+from sim.paint.blots import blot
 from sim.paint.canvas import Canvas
 from sim.paint.noise import crooked_line, fractal, smoothstep
 
@@ -127,7 +128,7 @@ def _crack(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng:
 
 def _spill(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng: np.random.Generator) -> None:
     """Oil, gum and dust: soft and hard blots, dark and light."""
-    canvas = road.canvas
+    canvas, shapes = road.canvas, rng.spawn(1)[0]
     length_m = canvas.shape[1] * canvas.texel_m[0]
     for _ in range(round(area_m2 / 1.8)):
         at = (rng.uniform(0, length_m), rng.uniform(0, left_m - right_m))
@@ -135,8 +136,7 @@ def _spill(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng:
         radii = np.minimum(radius * rng.uniform(0.6, 1.6, 2), 0.6)
         dark = rng.random() < 0.68
         tone = rng.uniform(30, 60) if dark else rng.uniform(140, 185)
-        for shrink in (1.0, 0.75, 0.5):
-            canvas.ellipse(at, radii * shrink, (tone, tone, tone), 0.35)
+        blot(canvas, at, (float(radii[0]), float(radii[1])), float(tone), shapes)
 
 
 def _set_covers(
