@@ -150,7 +150,7 @@ EFFECTS: Sequence[Effect] = (
     Effect(
         "sensor.dirt",
         "soft spots that hide the world, and stay while it moves",
-        falls=("fast20_per_100kpx", "gradient_mean", "klt_survival_5", *_TRUE),
+        falls=("fast20_per_100kpx", "gradient_mean", *_SURVIVAL, *_TRUE),
         rises=("shift_px",),
     ),
     Effect(
