@@ -11,8 +11,11 @@ from estimator.se3 import Array
 BUMP_HEIGHT_M = 0.07
 BUMP_LENGTH_M = 3.7  # of a hump that is driven over at 30 km/h; Watts 1973
 BUMP_FLANK_M = 0.3
-_HILL_WAVELENGTHS_M = ((150.0, 190.0), (110.0, 140.0), (210.0, 260.0))  # shorter ones would lift wheels
+_HILL_WAVELENGTHS_M = ((95.0, 125.0), (90.0, 130.0), (150.0, 210.0))  # shorter ones would lift wheels
 _HILL_WEIGHTS = (1.0, 0.35, 0.6)  # share of the slope
+_LANDSCAPES = 100  # that a road is laid through before one is chosen
+_ENOUGH_DOWN = 0.7  # of the steepest slope: the other way need not be steeper
+_WISH_TO_TURN = 1.5  # of climb and fall, against crossfall
 _ROUGH_WAVES = 40
 _ROUGH_WAVELENGTHS_M = (1.2, 12.0)
 _CLASS_A_PSD_M3 = (
@@ -110,22 +113,45 @@ class Relief:
 def draw_hills(slope_percent: float, along_m: Array, rng: np.random.Generator) -> Waves:
     """Draw hills whose steepest slope along a polyline is exactly ``slope_percent``.
 
+    Roads are built up and down a hill rather than across it: of many landscapes the one is taken in which
+    the line tilts least sideways, and both climbs and falls.
+
     Args:
         slope_percent: Rise over run, times 100.
         along_m: (N, 2) the driven line; too short a line can only see the foot of a hill.
         rng: Decides where the hills are; the slope only scales them.
     """
+    steps = np.diff(along_m, axis=0)
+    ahead = steps / np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-9)
+    landscapes = [_unit_hills(rng) for _ in range(_LANDSCAPES)]
+    slopes = [_slopes(hills, along_m[:-1], ahead) for hills in landscapes]
+    best = min(range(_LANDSCAPES), key=lambda k: _awkwardness(*slopes[k]))
+    scale = slope_percent / 100.0 / float(np.abs(slopes[best][0]).max())
+    hills = landscapes[best]
+    return Waves(hills.k_radpm, hills.amplitude_m * scale, hills.phase_rad)
+
+
+def _unit_hills(rng: np.random.Generator) -> Waves:
     lengths_m = np.array([rng.uniform(*span) for span in _HILL_WAVELENGTHS_M])
     # The main wave runs along the line's start, the others anyhow.
-    headings = np.array([rng.uniform(-0.5, 0.5), rng.uniform(0.4, 2.0), rng.uniform(-2.0, -0.4)])
+    headings = np.array([rng.uniform(-0.5, 0.5), rng.uniform(-1.6, 1.6), rng.uniform(-1.6, 1.6)])
     k = 2 * np.pi / lengths_m[:, None] * np.stack([np.cos(headings), np.sin(headings)], axis=1)
-    signs = np.array([rng.choice([-1.0, 1.0]) for _ in headings])
-    unit = Waves(k, signs * np.array(_HILL_WEIGHTS) * lengths_m / (2 * np.pi), np.zeros(3))
-    steps = np.diff(along_m, axis=0)
-    lengths = np.linalg.norm(steps, axis=1)
-    slopes = np.sum(unit.gradient(along_m[:-1]) * steps, axis=1) / np.maximum(lengths, 1e-9)
-    scale = slope_percent / 100.0 / float(np.abs(slopes).max())
-    return Waves(k, unit.amplitude_m * scale, unit.phase_rad)
+    signs = rng.choice([-1.0, 1.0], len(headings))
+    return Waves(k, signs * np.array(_HILL_WEIGHTS) * lengths_m / (2 * np.pi), np.zeros(3))
+
+
+def _slopes(hills: Waves, points_m: Array, ahead: Array) -> tuple[Array, Array]:
+    """(N,) slopes along the unit headings ``ahead`` (N, 2), and (N,) to the left of them."""
+    gradient = hills.gradient(points_m)
+    along = np.sum(gradient * ahead, axis=1)
+    return along, gradient[:, 1] * ahead[:, 0] - gradient[:, 0] * ahead[:, 1]
+
+
+def _awkwardness(along: Array, across: Array) -> float:
+    """How badly a road lies: its crossfall, and the lack of a climb or a fall, over its steepest slope."""
+    steepest = float(np.abs(along).max())
+    other_way = min(max(float(along.max()), 0.0), max(float(-along.min()), 0.0)) / steepest
+    return float(np.abs(across).max()) / steepest - _WISH_TO_TURN * min(other_way, _ENOUGH_DOWN)
 
 
 def draw_roughness(level: float, rng: np.random.Generator) -> Waves:
