@@ -3,7 +3,7 @@
 import numpy as np
 
 from eval.contact_sheet import draw_sheet
-from eval.glimpse import Glimpse, telling_cameras
+from eval.glimpse import Glimpse, _at_size, telling_cameras
 from scenarios.load import load_scenario
 
 CAMERAS = ("front", "left_front", "rear")
@@ -31,5 +31,14 @@ def test_a_long_sentence_is_cut_to_its_place() -> None:
     assert short.shape == long.shape and (long < 200).sum() > (short < 200).sum()
 
 
-def test_three_cameras_tell_most() -> None:
-    assert telling_cameras(load_scenario("first_drive").rig) == CAMERAS
+def test_three_cameras_tell_most_and_those_that_something_happens_to_come_before_others() -> None:
+    assert telling_cameras(load_scenario("first_drive")) == CAMERAS
+    assert telling_cameras(load_scenario("knock"))[1] == "right_rear"
+    assert telling_cameras(load_scenario("wrong_intrinsics"))[1] == "right_front"
+
+
+def test_an_image_of_too_few_pixels_looks_smaller() -> None:
+    half = _at_size(np.full((200, 320), 7, np.uint8), 640)
+    assert half.shape == (400, 640) and (half[:200, :320] == 7).all() and (half == 7).mean() == 0.25
+    whole = np.full((400, 640), 7, np.uint8)
+    assert _at_size(whole, 640) is whole
