@@ -57,7 +57,8 @@ def run_command_line(arguments: Sequence[str]) -> int:
     except OSError as error:
         if error.errno not in _DISK_ERRORS:
             raise
-        return _complain(f"error: {error.filename or 'disk'}: {error.strerror}", WRONG_REQUEST)
+        where = error.filename2 or error.filename or "disk"  # of a copy, the second one is written
+        return _complain(f"error: {where}: {error.strerror}", WRONG_REQUEST)
     if code == INTERRUPTED:
         return _complain("interrupted", INTERRUPTED)
     return code if isinstance(code, int) else 0

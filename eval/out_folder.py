@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import glob
 import os
 import shutil
@@ -73,6 +74,10 @@ def _publishing(out: Path) -> Iterator[Path]:
         if out.exists():
             out.rename(workshop / "old")
         (workshop / "new").rename(out)
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT) and error.filename is None:  # writing names no file
+            raise InputError(f"{out}: cannot be written: {error.strerror}") from error
+        raise
     finally:
         shutil.rmtree(workshop, ignore_errors=True)
 

@@ -42,12 +42,19 @@ def record_to(request: RecordRequest, console: Console) -> Path:
         with cached_recording(
             scenario, request.seed, lambda done, total: console.progress("rendering", done, total)
         ) as cached:
-            shutil.copytree(cached, bag)
+            _copy(cached, bag)
         if film is not None:
             title = f"{scenario.name}, seed {request.seed}"
             write_video(bag, scenario.rig, scenario.world.drive.rate_hz, film, title, console)
         write_rig(scenario.rig, rig)
     return rig_file
+
+
+def _copy(cached: Path, bag: Path) -> None:
+    """Copy a bag file by file: an error of ``copytree`` says nothing of full disks."""
+    bag.mkdir()
+    for file in cached.iterdir():
+        shutil.copyfile(file, bag / file.name)
 
 
 @contextmanager

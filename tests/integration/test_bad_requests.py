@@ -1,5 +1,6 @@
 """What a user may get wrong on the command line: one line, exit code 2, and nothing left that looks whole."""
 
+import errno
 import os
 import signal
 import subprocess
@@ -170,6 +171,26 @@ def _interrupt(arguments: tuple[str, ...], folder: Path, when: str) -> int:
     assert rest.splitlines()[-1:] == ["interrupted"], (lines, rest)
     assert "Traceback" not in rest
     return code
+
+
+def test_a_full_disk_is_one_line_and_leaves_nothing(
+    command: Command,
+    tiny: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert command("record", tiny, "--out", "first", "--quiet") == 0  # so that it is in the cache
+
+    def copy_some(source: Path, target: Path) -> None:
+        target.write_bytes(source.read_bytes()[:100])
+        raise OSError(errno.ENOSPC, "No space left on device", str(source), None, str(target))
+
+    monkeypatch.setattr("shutil.copyfile", copy_some)
+    assert command("record", tiny, "--out", "second", "--quiet") == 2
+    err = capsys.readouterr().err
+    assert "second" in err and err.endswith(": No space left on device\n") and err.count("\n") == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["first", "first.rig.yaml"]
 
 
 def test_without_opengl_the_remedy_is_named(house: Path, tiny: str, tmp_path: Path) -> None:
