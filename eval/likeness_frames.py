@@ -47,12 +47,18 @@ def read_frames(path: Path, camera: str, spacing_m: float, cut: Cut) -> list[Ima
     files = (
         sorted(each for each in path.iterdir() if each.suffix.lower() in _SUFFIXES) if path.is_dir() else []
     )
+    if path.is_dir() and not any(path.iterdir()):
+        raise InputError(f"{path}: got an empty folder, wanted frames of one forward camera, or a recording")
     images = _of_files(files[:: cut.step]) if files else _of_bag(path, camera, spacing_m)
-    frames = [_cut(image, cut, path) for image in images]
+    frames: list[Image] = []
+    shapes: set[tuple[int, ...]] = set()
+    for image in images:
+        shapes.add(image.shape)
+        if len(shapes) > 1:
+            raise InputError(f"{path}: got frames of several sizes, wanted those of one camera")
+        frames.append(_cut(image, cut, path))
     if len(frames) < LEAST_FRAMES:
         raise InputError(f"{path}: got {len(frames)} frames, wanted at least {LEAST_FRAMES}")
-    if len({frame.shape for frame in frames}) > 1:
-        raise InputError(f"{path}: got frames of several sizes, wanted those of one camera")
     return frames
 
 

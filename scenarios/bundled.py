@@ -49,5 +49,5 @@ def find_file(kind: Kind, reference: str, relative_to: Path) -> Path:
             if (relative_to / f"{reference}{suffix}").is_file()
         ]
         hint = f" (did you mean the file {beside[0]}?)" if beside else did_you_mean(reference, names)
-        raise InputError(f"{kind} {reference!r} is not known; there are: {', '.join(names)}{hint}")
+        raise InputError(f"{kind} {reference!r} is not known{hint}; there are: {', '.join(names)}")
     return bundled_path(kind, reference)

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import cv2
+import numpy as np
 import pytest
 
 from tests.integration.conftest import Command
@@ -53,7 +54,8 @@ def test_a_recording_gives_its_frames_by_the_metre(
         ("frames --rows 81:320", "frames: got frames of 120 rows, wanted rows 81:320"),
         ("frames --rows 81", "--rows: got '81', wanted A:B"),
         ("frames --rows 0:100 --step 2", "frames: got 9 frames, wanted at least 12"),
-        ("empty", "empty: "),
+        ("empty", "empty: got an empty folder, wanted frames of one forward camera"),
+        ("mixed --rows 0:120", "mixed: got frames of several sizes"),
     ],
 )
 def test_a_wrong_request_is_one_line(
@@ -65,6 +67,9 @@ def test_a_wrong_request_is_one_line(
     message: str,
 ) -> None:
     (tmp_path / "empty").mkdir()
+    (tmp_path / "mixed").mkdir()
+    for name, rows in (("a", 120), ("b", 60)):
+        cv2.imwrite(str(tmp_path / "mixed" / f"{name}.png"), np.zeros((rows, 80), np.uint8))
     assert command("likeness", *arguments.split()) == 2
     out, err = capsys.readouterr()
     assert out == "" and message in err and err.count("\n") == 1

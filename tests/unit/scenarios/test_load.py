@@ -124,7 +124,7 @@ def test_an_error_names_the_file_that_holds_the_key(tmp_path: Path) -> None:
 
 
 def test_an_unknown_scenario_lists_what_there_is() -> None:
-    with pytest.raises(InputError, match=r"is not known; there are: .*did you mean 'first_drive'"):
+    with pytest.raises(InputError, match=r"is not known \(did you mean 'first_drive'\?\); there are: "):
         load_scenario("first_driv")
 
 
