@@ -111,7 +111,7 @@ EFFECTS: Sequence[Effect] = (
     Effect(
         "weather.wet_lens",
         "drops that blur what lies behind, and stay while the world moves",
-        falls=("fast20_per_100kpx", "gradient_mean", "klt_survival_5", *_TRUE),
+        falls=("fast20_per_100kpx", "gradient_mean", *_SURVIVAL, *_TRUE),
     ),
     Effect(
         "weather.flare",
