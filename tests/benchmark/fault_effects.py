@@ -2,7 +2,8 @@
 
 ``python -m tests.benchmark.fault_effects [SCENARIO ...]`` renders ``first_drive`` once (or takes it from the
 cache), spoils its frames as each scenario says, estimates, and prints the worst camera among those that are
-not struck and among those that are. Scenarios that change how pictures are taken must be run themselves.
+not struck and among those that are; ``first_drive`` itself is the drive without faults. Scenarios that change
+how pictures are taken must be run themselves.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from estimator.bag_rosbags import parse
 from estimator.errors import InputError
 from estimator.image_decode import decode_image
 from estimator.rig import Rig
-from estimator.rig_file import write_rig
+from estimator.rig_file import rig_to_yaml, write_rig
 from eval.console import QuietConsole
 from eval.replay import ReplayRequest, replay
 from eval.truth import read_truth
@@ -97,10 +98,13 @@ def effect(sound: Path, scenario: Scenario, folder: Path) -> str:
 
 def is_laid_over(scenario: Scenario) -> bool:
     """Tell whether a scenario is the base but for faults that leave the taking of pictures alone."""
-    base = load_scenario(BASE).world
-    same = scenario.world.model_copy(update={"faults": []}) == base
-    return same and not any(
-        isinstance(each, (ClockOffset, WrongIntrinsics)) for each in scenario.world.faults
+    base = load_scenario(BASE)
+    same_world = scenario.world.model_copy(update={"faults": []}) == base.world
+    same_rig = rig_to_yaml(scenario.rig) == rig_to_yaml(base.rig)
+    return (
+        same_world
+        and same_rig
+        and not any(isinstance(each, (ClockOffset, WrongIntrinsics)) for each in scenario.world.faults)
     )
 
 
