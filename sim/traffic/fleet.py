@@ -14,7 +14,7 @@ from sim.seeds import rng_for
 from sim.shapes.bicycle import WHEELBASE_M, cranks_mesh, frame_mesh
 from sim.shapes.bicycle import wheel_mesh as bicycle_wheel_mesh
 from sim.shapes.heavy import BUS, TRUCK, HeavyKind, heavy_body
-from sim.shapes.parked_cars import HATCH, SEDAN, VAN, CarKind, body, outline_m
+from sim.shapes.parked_cars import ESTATE, HATCH, OFF_ROADER, SEDAN, VAN, CarKind, body, outline_m
 from sim.shapes.person import (
     foot_mesh,
     forearm_mesh,
@@ -28,7 +28,10 @@ from sim.shapes.wheel import wheel_mesh
 from sim.streets.scenery import Skin
 from sim.traffic.model import Model, Part
 
-CAR_KINDS: tuple[CarKind | HeavyKind, ...] = (HATCH, SEDAN, VAN, HATCH, SEDAN, TRUCK, HATCH, SEDAN, VAN, BUS)
+CAR_KINDS: tuple[CarKind | HeavyKind, ...] = (
+    *(HATCH, SEDAN, VAN, HATCH, SEDAN, TRUCK, HATCH, SEDAN, VAN, BUS),
+    *(ESTATE, OFF_ROADER, HATCH, ESTATE, SEDAN, TRUCK, OFF_ROADER, VAN),
+)
 RIDERS, WALKERS = 7, 14
 _HEAVY_WHEEL_M = 0.42
 

@@ -88,8 +88,9 @@ def draw_members(
         return []
     gap_m, gap_s = at_degree(PLATOON_GAP_M, degree), at_degree(PLATOON_GAP_S, max(degree, 1.0))
     ahead, behind = rng.spawn(2)
-    leaders = _row(ahead, lengths_m, gap_m, gap_s, EGO_FRONT_M, _MOST_AHEAD, _VIEW_AHEAD_M)
-    followers = _row(behind, lengths_m, gap_m, gap_s, EGO_REAR_M, _MOST_BEHIND, _VIEW_BEHIND_M)
+    order = [int(k) for k in rng.permutation(len(lengths_m))]  # whose ends do not meet before all have come
+    leaders = _row(ahead, order, lengths_m, gap_m, gap_s, EGO_FRONT_M, _MOST_AHEAD, _VIEW_AHEAD_M)
+    followers = _row(behind, order[::-1], lengths_m, gap_m, gap_s, EGO_REAR_M, _MOST_BEHIND, _VIEW_BEHIND_M)
     members = leaders + [Member(m.model, m.length_m, -m.lead_s, -m.ahead_m) for m in followers]
 
     def takes_m(kept: Sequence[Member]) -> float:
@@ -102,6 +103,7 @@ def draw_members(
 
 def _row(
     rng: np.random.Generator,
+    order: Sequence[int],
     lengths_m: Sequence[float],
     gap_m: float,
     gap_s: float,
@@ -112,7 +114,7 @@ def _row(
     row: list[Member] = []
     time_s, way_m = 0.0, bumper_m
     while len(row) < most and way_m < view_m:
-        model = int(rng.integers(len(lengths_m)))
+        model = order[len(row) % len(order)]
         wait_s, room_m = gap_s * rng.uniform(0.8, 1.3), gap_m * rng.uniform(0.8, 1.3)
         time_s, way_m = time_s + wait_s, way_m + room_m + lengths_m[model] / 2
         row.append(Member(model, lengths_m[model], time_s, way_m))

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from sim.traffic.config import TrafficConfig
+from sim.traffic.fleet import CAR_KINDS
 from sim.traffic.troupe import Troupe
 from sim.vehicle.drive import DriveConfig, Profile
 from tests.traffic_streets import drive_through, overlapping
@@ -40,8 +41,19 @@ def test_nobody_runs_into_anybody(kind: str, traffic: TrafficConfig) -> None:
 @pytest.mark.parametrize("profile", ["stop_and_go", "pull_away", "hard_braking", "crawl"])
 def test_the_lane_bears_any_way_of_driving(profile: Profile) -> None:
     drive = drive_through("bend", BUSY, DriveConfig(speed_mps=7.0, distance_m=60.0, profile=profile), seed=1)
-    for time_s in np.arange(0.0, 24.0, 1.5):
+    for time_s in np.arange(0.0, min(24.0, drive.plan.duration_s), 1.5):
         assert overlapping(drive.outlines_m(float(time_s))) == []
+
+
+def test_no_vehicle_comes_twice_on_a_lane_before_all_have_come() -> None:
+    traffic = drive_through("crossroads", BUSY, DriveConfig(distance_m=40.0)).traffic
+    own_lane, driving = (troupe for troupe in traffic.troupes if troupe.name in ("car_own_lane", "car"))
+    kinds = len(CAR_KINDS)
+    assert len(own_lane.models) > 4 and len(driving.models) > 8
+    for troupe in (own_lane, driving):
+        for track in np.unique(troupe.track):
+            names = [m.name for m, at in zip(troupe.models, troupe.track, strict=True) if at == track]
+            assert len(set(names[:kinds])) == len(names[:kinds])
 
 
 def test_who_backs_up_finds_the_lane_free() -> None:
