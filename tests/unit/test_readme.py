@@ -11,8 +11,13 @@ from eval.cli import app
 from scenarios.bundled import bundled_names
 
 HOUSE = Path(__file__).parents[2]
-PAGES = ("README.md", "CONTRIBUTING.md", "reports/README.md")
-TEXT = "\n".join((HOUSE / page).read_text() for page in PAGES)
+PAGES = [
+    HOUSE / "README.md",
+    HOUSE / "CONTRIBUTING.md",
+    HOUSE / "reports/README.md",
+    *HOUSE.glob("docs/*.md"),
+]
+TEXT = "\n".join(page.read_text() for page in PAGES)
 # A line of a code block up to its comment, or a whole `code span`.
 COMMANDS = sorted(
     {line.partition(" #")[0].strip() for line in re.findall(r"^rigtrue .*$", TEXT, re.MULTILINE)}
@@ -27,7 +32,8 @@ def test_a_documented_command_line_is_understood(line: str) -> None:
     command = group.commands[name]  # type: ignore[attr-defined]
     if arguments:
         command.make_context(name, list(arguments))
-    if name in ("run", "record", "sweep") and arguments and "/" not in arguments[0]:
+    named = bool(arguments) and "/" not in arguments[0] and not arguments[0].isupper()  # NAME stands for any
+    if name in ("run", "record", "sweep") and named:
         assert arguments[0] in bundled_names("sweep" if name == "sweep" else "scenario")
 
 
@@ -42,6 +48,15 @@ def test_every_documented_make_target_exists() -> None:
     assert documented and documented <= targets
 
 
-def test_every_linked_page_exists() -> None:
-    links = re.findall(r"\]\(([^)#:]+)\)", TEXT)
-    assert links and all((HOUSE / link).exists() for link in links)
+def test_every_linked_page_and_picture_exists() -> None:
+    for page in PAGES:
+        for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
+            assert (page.parent / link).exists(), f"{page.name}: {link}"
+
+
+def test_every_documented_module_and_test_file_exists() -> None:
+    modules = set(re.findall(r"python -m ((?:tests|docs)\.[\w.]+)", TEXT))
+    tests = set(re.findall(r"\b(tests/[\w/]+\.py)", TEXT))
+    assert modules and tests
+    assert all((HOUSE / f"{module.replace('.', '/')}.py").exists() for module in modules), modules
+    assert all((HOUSE / test).exists() for test in tests), tests
