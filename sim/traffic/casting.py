@@ -17,7 +17,7 @@ from sim.traffic.config import (
     jam_share,
 )
 from sim.traffic.entrants import draw_entrants
-from sim.traffic.fleet import rider_models, vehicle_models, walker_models
+from sim.traffic.fleet import fit_for, rider_models, vehicle_models, walker_models
 from sim.traffic.flow import STEP_S, Flow
 from sim.traffic.lanes import bike_tracks, car_tracks, foot_tracks, ground_m, route_track
 from sim.traffic.model import Model
@@ -73,7 +73,8 @@ def _own_lane(
     seed: int,
 ) -> tuple[Platoon, Troupe]:
     route, rng = route_track(network), rng_for(seed, "traffic.own_lane")
-    models = [model for model in vehicles if model.length_m < _LONGEST_IN_BENDS_M]
+    fit = [vehicles[k] for k in fit_for(route.speed_mps)] if vehicles else []
+    models = [model for model in fit if model.length_m < _LONGEST_IN_BENDS_M]
     room_m = route.ring_m if route.closed else np.inf
     members = draw_members(config.cars, [model.length_m for model in models], room_m, top_mps, rng)
     if progress_m(1.0) < progress_m(0.0):
@@ -96,9 +97,7 @@ def _cars(
     config: TrafficConfig, network: Network, above: Sequence[Movers], models: Sequence[Model], seed: int
 ) -> tuple[Flow, Troupe]:
     tracks = car_tracks(network)
-    short = [k for k, model in enumerate(models) if model.length_m < _LONGEST_IN_BENDS_M]
-    anywhere = list(range(len(models)))
-    choices = [short if _is_tight(track) else anywhere for track in tracks]
+    choices = [_fit_on(track, models) for track in tracks]
     entrants, chosen = draw_entrants("cars", tracks, CAR_SPACING_M, config.cars, models, choices, seed)
     pace = Pace(1.6, 2.0, 1.5, STEP_S, jam_share(config.cars))
     flow = Flow(tracks, entrants, above, pace)
@@ -112,6 +111,12 @@ def _cars(
         lambda now: rolling(now.way_m, now.curvature_1pm, cast),
         network.relief.road_height_m,
     )
+
+
+def _fit_on(track: Track, models: Sequence[Model]) -> list[int]:
+    """Which models drive on a track."""
+    fit = fit_for(track.speed_mps) if models else []
+    return [k for k in fit if models[k].length_m < _LONGEST_IN_BENDS_M] if _is_tight(track) else fit
 
 
 def _is_tight(track: Track) -> bool:

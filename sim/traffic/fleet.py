@@ -34,6 +34,7 @@ CAR_KINDS: tuple[CarKind | HeavyKind, ...] = (
 )
 RIDERS, WALKERS = 7, 14
 _HEAVY_WHEEL_M = 0.42
+_TOWN_MPS, _HEAVY_MPS = 20.0, 26.0  # lanes driven faster than these see no town buses, and nothing heavy
 
 
 def vehicle_models(seed: int) -> list[Model]:
@@ -43,6 +44,15 @@ def vehicle_models(seed: int) -> list[Model]:
         if isinstance(kind, HeavyKind)
         else _car(f"vehicle_{k}", kind, seed)
         for k, kind in enumerate(CAR_KINDS)
+    ]
+
+
+def fit_for(speed_mps: float) -> list[int]:
+    """Tell which of ``vehicle_models`` drive in a lane of this speed."""
+    return [
+        k
+        for k, kind in enumerate(CAR_KINDS)
+        if not isinstance(kind, HeavyKind) or speed_mps < (_TOWN_MPS if kind is BUS else _HEAVY_MPS)
     ]
 
 
