@@ -25,7 +25,7 @@ from sim.vehicle.cameras import world_from_cam
 
 _SKY_M = 0.9 * FAR_M
 _PROBE_SCALE = 4  # the probe's pictures are this much smaller
-_SHADOWS_STAND_S = 0.004  # a fast car's own comes 6 cm further meanwhile, two texels of the shadow map
+_SHADOWS_STAND_S = 0.004  # a fast car's own comes 6 cm further meanwhile, three texels of the shadow map
 _FASTEST_SHARE = 0.995  # of what is not sky moves slower than what the pictures are spaced for
 
 
