@@ -114,16 +114,28 @@ def _crack(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng:
     """Open cracks, and wider bands of bitumen where they were sealed."""
     canvas = road.canvas
     length_m = canvas.shape[1] * canvas.texel_m[0]
+    sealing = rng.spawn(1)[0]
+    sealed = sealing.uniform(0.05, 0.4)  # some streets are looked after more than others
     for _ in range(round(area_m2 / 9.0)):
         start = np.array([rng.uniform(0, length_m), rng.uniform(0, left_m - right_m)])
         along = rng.random() < 0.5
         heading = rng.normal(0, 0.25) if along else np.pi / 2 + rng.normal(0, 0.3)
         line = crooked_line(rng, start, heading, rng.uniform(0.8, 5.0 if along else 3.0), 0.35)
-        if rng.random() < 0.45:
-            canvas.stroke(line, rng.uniform(0.06, 0.13), (30, 30, 33), 0.85)
+        if rng.random() < sealed:
+            _seal(canvas, line, sealing)
         else:
             canvas.stroke(line, rng.uniform(0.02, 0.05), (36, 35, 34), 0.9)
             canvas.stroke(line + 0.05, 0.05, (150, 148, 142), 0.35)
+
+
+def _seal(canvas: Canvas, line_m: Array, rng: np.random.Generator) -> None:
+    """Pour bitumen along a crack, 3 to 6 cm once blurred by a texel: jagged, uneven, partly worn off."""
+    steps = np.arange(len(line_m))
+    finer = np.arange(0.0, len(line_m) - 1, 0.25)
+    path = np.column_stack([np.interp(finer, steps, line_m[:, k]) for k in (0, 1)])
+    path += rng.normal(0.0, 0.012, path.shape)
+    for k in range(0, len(path) - 1, 2):
+        canvas.stroke(path[k : k + 3], rng.uniform(0.02, 0.045), (34, 34, 37), rng.uniform(0.35, 0.9))
 
 
 def _spill(road: RoadCanvas, area_m2: float, right_m: float, left_m: float, rng: np.random.Generator) -> None:
