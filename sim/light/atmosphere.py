@@ -7,26 +7,24 @@ instants of one exposure agree. All is a function of time, so that instants may 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Mapping, Sequence
 
 import cv2
 import numpy as np
 
 from estimator.camera import Camera
-from estimator.se3 import SE3, Array
 from sim.light.channels import FloatImage, split
 from sim.light.daylight import daylight_of
 from sim.light.flare import Flare, mark_sun, with_halos
 from sim.light.fog import extinction_per_m, headlight_haze, lamp_haze, transmission
+from sim.light.instant import Instant
+from sim.light.mirror import Mirror, Seen, wider
 from sim.light.rain import Rain
 from sim.light.relight import Relight
 from sim.light.sprites import add_lamps
 from sim.light.surfaces import Floats, Surfaces
 from sim.light.surroundings import Surroundings
 from sim.light.tunnels import TunnelShade
-from sim.light.vehicles import Vehicle, driven_vehicle
 from sim.light.weather import WeatherConfig
 from sim.light.wet_lens import WetLens
 from sim.light.wet_road import WetRoad
@@ -37,28 +35,6 @@ _LUMA = np.array([[0.299, 0.587, 0.114]], np.float32)  # ITU-R BT.601
 _AIR_LEVEL = 235.0  # of thick fog by day: that of a grey horizon
 _RAIN_COMES_IN_M = 3.0  # into a tunnel, carried by wind and wheels
 _TOWN_AIR = 0.5  # levels of thick fog by night, between lamps
-
-
-@dataclass(frozen=True, eq=False)
-class Instant:
-    """When a picture is taken, and how the car moves then.
-
-    Attributes:
-        time_s: Since the drive began.
-        world_from_ego: Pose of the car.
-        velocity_mps: (3,) of the car in the world.
-        vehicles: Those of the traffic that are near.
-    """
-
-    time_s: float
-    world_from_ego: SE3
-    velocity_mps: Array
-    vehicles: tuple[Vehicle, ...] = ()
-
-    @cached_property
-    def own(self) -> Vehicle:
-        """The driven car; the same value for every view."""
-        return driven_vehicle(self.world_from_ego)
 
 
 class Atmosphere:
@@ -86,10 +62,29 @@ class Atmosphere:
         """Whether ``light`` wants pictures with depth."""
         return self.in_channels or self._extinction_per_m > 0 or self._flare is not None
 
-    def light(self, picture: Picture, view: View, instant: Instant) -> FloatImage:
+    def around(self, views: Mapping[str, View]) -> dict[str, View]:
+        """Return the views whose pictures ``mirror`` wants of a camera that has these; none on dry ground."""
+        return {} if self._wet_road is None else {name: wider(view) for name, view in views.items()}
+
+    def mirror(self, pictures: Sequence[Picture], views: Sequence[View], instant: Instant) -> Mirror:
+        """Return what a camera sees mirrored, from the pictures of its views ``around``."""
+        around = []
+        for picture, view in zip(pictures, views, strict=True):
+            assert picture.depth_m is not None
+            surfaces = Surfaces(view, picture.depth_m)
+            wet = self._wetness(surfaces)
+            assert wet is not None, "nothing is wet"
+            light = self._lit(picture.rgb, surfaces, self._relight.daylight(surfaces), wet, view, instant)
+            around.append(Seen(view, light, picture.depth_m, surfaces.enlarged(wet)))
+        return Mirror(around)
+
+    def light(
+        self, picture: Picture, view: View, instant: Instant, mirror: Mirror | None = None
+    ) -> FloatImage:
         """Return the (H, W) light of a picture, in levels of a sunny day: 255 is white in full light.
 
-        Night is a small fraction of that, lamps may be above it; exposure is the sensor's affair.
+        Night is a small fraction of that, lamps may be above it; exposure is the sensor's affair. Wet ground
+        shows what is in ``mirror``, nothing without it.
         """
         if not self.needs_depth:
             level = self._daylight.level
@@ -97,12 +92,11 @@ class Atmosphere:
         assert picture.depth_m is not None
         surfaces = Surfaces(view, picture.depth_m)
         daylight = self._relight.daylight(surfaces)
-        wet = None
-        if self._wet_road is not None and self._shelter is not None:
-            wet = self._wet_road.wetness(surfaces, self._shelter.daylight(surfaces.points_m))
+        wet = self._wetness(surfaces)
         light = self._lit(picture.rgb, surfaces, daylight, wet, view, instant)
-        if self._wet_road is not None and wet is not None:
-            strength, mirrored = self._wet_road.mirror(light, wet, surfaces, view)
+        if self._wet_road is not None and wet is not None and mirror is not None:
+            strength, calm = self._wet_road.mirroring(wet, surfaces)
+            mirrored = mirror.light(surfaces.points_m, surfaces.eye_m, calm)
             light += surfaces.enlarged(strength) * (surfaces.enlarged(mirrored) - light)
         if self._extinction_per_m > 0:
             light = self._through_air(light, surfaces, daylight, instant)
@@ -122,6 +116,11 @@ class Atmosphere:
         if camera in self._wet_lenses:
             light = self._wet_lenses[camera].over(light, time_s)
         return light
+
+    def _wetness(self, surfaces: Surfaces) -> Floats | None:
+        if self._wet_road is None or self._shelter is None:
+            return None
+        return self._wet_road.wetness(surfaces, self._shelter.daylight(surfaces.points_m))
 
     def _lit(
         self,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
 import mujoco
 
-from sim.light.atmosphere import Atmosphere, Instant
+from sim.light.atmosphere import Atmosphere
 from sim.light.channels import FloatImage
+from sim.light.instant import Instant
+from sim.light.mirror import Mirror
 from sim.light.vehicles import vehicles_at
 from sim.rendering.view import Picture, View
 from sim.traffic.traffic import NOBODY, Traffic
@@ -15,7 +17,10 @@ from sim.vehicle.car_state import velocity_in_ego, world_from_ego
 
 
 class OnBoardAtmosphere:
-    """Fulfils ``sim.sensing.atmosphere.Atmosphere``; remembers only the instant asked for last."""
+    """Fulfils ``sim.sensing.atmosphere.Atmosphere``; remembers only the instant asked for last.
+
+    And what each camera sees mirrored in its present image.
+    """
 
     def __init__(
         self,
@@ -27,15 +32,26 @@ class OnBoardAtmosphere:
         """``at`` gives the state of the world at a time (``Stage.at``); ``traffic`` has lamps too."""
         self._atmosphere, self._model, self._at, self._traffic = atmosphere, model, at, traffic
         self._instant: Instant | None = None
+        self._mirrors: dict[str, Mirror] = {}
 
     @property
     def needs_depth(self) -> bool:
         """Whether ``light`` wants pictures with depth."""
         return self._atmosphere.needs_depth
 
+    def around(self, views: Mapping[str, View]) -> dict[str, View]:
+        """Return the views that ``look_around`` wants pictures of, with depth."""
+        return self._atmosphere.around(views)
+
+    def look_around(
+        self, pictures: Sequence[Picture], views: Sequence[View], camera: str, time_s: float
+    ) -> None:
+        """Find what is mirrored in a camera's next image."""
+        self._mirrors[camera] = self._atmosphere.mirror(pictures, views, self._moving(time_s))
+
     def light(self, picture: Picture, view: View, camera: str, time_s: float) -> FloatImage:
         """Return the (H, W) light of a picture; ``at`` has been asked for its time last."""
-        return self._atmosphere.light(picture, view, self._moving(time_s))
+        return self._atmosphere.light(picture, view, self._moving(time_s), self._mirrors.get(camera))
 
     def cover(self, light: FloatImage, camera: str, time_s: float) -> FloatImage:
         """Return the (H, W) light of a camera's image with what is on its lens laid over it."""

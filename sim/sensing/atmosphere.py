@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 import cv2
@@ -19,6 +20,18 @@ class Atmosphere(Protocol):
     @property
     def needs_depth(self) -> bool:
         """Whether ``light`` wants pictures with depth."""
+
+    def around(self, views: Mapping[str, View]) -> dict[str, View]:
+        """Return what must be rendered, with depth, for ``look_around``; nothing where that is not wanted.
+
+        Args:
+            views: All of a camera's, for a whole image.
+        """
+
+    def look_around(
+        self, pictures: Sequence[Picture], views: Sequence[View], camera: str, time_s: float
+    ) -> None:
+        """See what may be mirrored in a camera's next image; ``time_s`` is the middle of its exposure."""
 
     def light(self, picture: Picture, view: View, camera: str, time_s: float) -> GreyImage:
         """Return the (H, W) light that reaches a pinhole, in levels of a sunny day, not bounded by 255.
@@ -38,6 +51,14 @@ class ClearAir:
     """Nothing at all."""
 
     needs_depth = False
+
+    def around(self, views: Mapping[str, View]) -> dict[str, View]:
+        return {}
+
+    def look_around(
+        self, pictures: Sequence[Picture], views: Sequence[View], camera: str, time_s: float
+    ) -> None:
+        pass
 
     def light(self, picture: Picture, view: View, camera: str, time_s: float) -> GreyImage:
         return grey(picture.rgb)

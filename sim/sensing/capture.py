@@ -53,6 +53,7 @@ class CameraArray:
 
     def _lights(self, stage: Stage, renderer: Renderer, time_s: float) -> dict[str, GreyImage]:
         """Return what falls on each sensor, once the exposure is set."""
+        self._look_around(stage, renderer, time_s)
         lights = None
         if self._last_s is None:
             lights = self._through_lenses(self._still(stage, renderer, time_s), time_s)
@@ -69,6 +70,21 @@ class CameraArray:
 
     def _shutter(self, control: ExposureControl) -> Shutter:
         return Shutter(self._config.rolling_shutter_s, blur_s(control.now, self._config.motion_blur))
+
+    def _look_around(self, stage: Stage, renderer: Renderer, time_s: float) -> None:
+        """Show the atmosphere what each camera sees in all, where it wants that."""
+        data = stage.at(time_s)
+        wanted = {
+            name: self._atmosphere.around(lens.views(name, world_from_cam(data, name)))
+            for name, lens in self._lenses.items()
+        }
+        views = {key: view for of_camera in wanted.values() for key, view in of_camera.items()}
+        if not views:
+            return
+        pictures = renderer.render(data, views, depth=True)
+        for name, of_camera in wanted.items():
+            seen = [pictures[key] for key in of_camera]
+            self._atmosphere.look_around(seen, list(of_camera.values()), name, time_s)
 
     def _still(self, stage: Stage, renderer: Renderer, time_s: float) -> dict[str, GreyImage]:
         """Return the light of one instant."""

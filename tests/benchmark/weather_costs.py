@@ -64,9 +64,11 @@ def cost(settings: tuple[str, ...]) -> tuple[float, float, int]:
     for name, lens in scene.lenses.items():
         views |= lens.views(name, world_from_cam(data, name))
     keys = {name: lens.keys(name) for name, lens in scene.lenses.items()}
+    around = {name: air.around({key: views[key] for key in of_lens}) for name, of_lens in keys.items()}
     with ClassicRenderer(scene.model) as renderer:
         pictures = renderer.render(data, views, depth=air.needs_depth)
         rendering_ms = least_ms(lambda: renderer.render(data, views, depth=air.needs_depth))
+        wide = {name: renderer.render(data, of_camera, depth=True) for name, of_camera in around.items()}
     lit = {
         name: [air.light(pictures[key], views[key], name, _AT_S) for key in of_lens]
         for name, of_lens in keys.items()
@@ -74,6 +76,9 @@ def cost(settings: tuple[str, ...]) -> tuple[float, float, int]:
     images = {name: lens.apply(lit[name]) for name, lens in scene.lenses.items()}
 
     def bundle() -> None:
+        for name, of_camera in around.items():
+            if of_camera:
+                air.look_around(list(wide[name].values()), list(of_camera.values()), name, _AT_S)
         for name, of_lens in keys.items():
             for key in of_lens:
                 air.light(pictures[key], views[key], name, _AT_S)

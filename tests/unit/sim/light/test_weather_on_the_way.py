@@ -6,10 +6,11 @@ import pytest
 
 from estimator.camera import Camera
 from estimator.se3 import SE3
-from sim.light.atmosphere import Atmosphere, Instant, grey, needs_channels
+from sim.light.atmosphere import Atmosphere, grey, needs_channels
 from sim.light.channels import split, write_channels
 from sim.light.daylight import direction
 from sim.light.flare import SUN_LEVEL, Flare, find_sun, mark_sun
+from sim.light.instant import Instant
 from sim.light.lamps import LightSource
 from sim.light.rain import Rain
 from sim.light.sprites import add_lamps
