@@ -15,7 +15,7 @@ from sim.rendering.closing import Closing
 from sim.rendering.shadow_map import SharedShadowMap
 from sim.rendering.view import FAR_M, DepthImage, Picture, View
 
-SHADOW_STRIDE_M = 4.0  # the map follows the car in strides: between them its texels stay where they are
+SHADOW_STRIDE_M = 20.0  # the map follows the car in strides: between them its texels stay where they are
 SUN_DISTANCE_M = 150.0
 SKY_SHARE = 0.694  # of the far plane: nowhere does MuJoCo draw the sky nearer (0.6952, over all directions)
 

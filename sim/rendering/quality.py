@@ -12,7 +12,7 @@ import mujoco
 from sim.rendering.names import Quality
 from sim.rendering.view import FAR_M, NEAR_M
 
-SHADOW_RADIUS_M = 48.0  # of what the sun's shadow map covers
+SHADOW_RADIUS_M = 56.0  # of what the sun's shadow map covers
 _QUALITY_FIELD = "rigtrue.quality"
 # Options of MuJoCo's Filament that it reads from custom fields of the model; 2 is soft shadows.
 _FILAMENT_SOFT_SHADOWS = 2
