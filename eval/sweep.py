@@ -14,6 +14,7 @@ from eval.out_folder import make_folder
 from eval.sweep_job import SweepJob, plan_job
 from eval.sweep_pool import run_jobs
 from eval.sweep_results import collect_rows, write_parquet
+from scenarios.recordings import is_recorded
 from scenarios.sweep import Sweep, load_sweep
 from sim.rendering.choice import require_renderer
 
@@ -53,7 +54,7 @@ def sweep(reference: str, workers: int, out: Path | None, console: Console) -> S
 
 def _require_renderers_of(jobs: list[SweepJob]) -> None:
     """Refuse once, instead of in every run, what this machine cannot render."""
-    for renderer in sorted({job.renderer for job in jobs}):
+    for renderer in sorted({job.renderer for job in jobs if not is_recorded(job.digest)}):
         require_renderer(renderer)
 
 

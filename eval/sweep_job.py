@@ -15,6 +15,7 @@ from scenarios.digest import recording_digest
 from scenarios.load import load_scenario
 from scenarios.sweep import SweepRun
 from sim.fingerprint import fingerprint
+from sim.rendering.choice import probe
 from sim.rendering.names import RendererName
 
 
@@ -39,15 +40,18 @@ class SweepJob:
     code: str
 
     def is_finished(self) -> bool:
-        """Tell whether the run folder holds this very run, made by this code and drawn by this machine."""
+        """Tell whether the run folder holds this very run, made by this code and drawn by this machine.
+
+        Where this machine cannot draw, by any machine.
+        """
         assert self.request.out is not None
         try:
             scores = json.loads((self.request.out / "scores.json").read_text())
             made_by = scores["provenance"]["code"], scores["provenance"]["renderer"]
         except (OSError, ValueError, KeyError, TypeError):
             return False
-        same_maker = made_by == (self.code, fingerprint(self.renderer))
-        return bool(scores["digest"] == self.digest and same_maker)
+        drawn_here = made_by[1] == fingerprint(self.renderer) or probe(self.renderer).problem is not None
+        return bool(scores["digest"] == self.digest and made_by[0] == self.code and drawn_here)
 
 
 def plan_job(planned: SweepRun, folder: Path) -> SweepJob:

@@ -60,6 +60,12 @@ class RecordingCache:
             os.utime(entry)
             yield entry / _BAG
 
+    def newest(self, prefix: str) -> str | None:
+        """Return the name of the last used whole recording whose name begins like this; None without one."""
+        entries = [path for path in self.folder.glob(f"{prefix}*") if path.is_dir() and not path.suffix]
+        whole = filter(checksum_holds, sorted(entries, key=lambda path: path.stat().st_mtime, reverse=True))
+        return next((path.name for path in whole), None)
+
     def used_bytes(self) -> int:
         """Return the size of all recordings."""
         return sum(_size_bytes(path) for path in self._entries())

@@ -9,6 +9,7 @@ import pytest
 import sim.fingerprint
 from scenarios.load import load_scenario
 from scenarios.recordings import cached_recording, fingerprint_of
+from sim.rendering.choice import probe
 from tests.integration.conftest import Command
 
 NOMINAL = "tests.throwaway_estimators:Nominal"
@@ -59,6 +60,8 @@ def test_what_cannot_be_drawn_is_refused_before_the_street_is_built(
     monkeypatch.setenv("RIGTRUE_CACHE", str(request.getfixturevalue("tmp_path")))
     monkeypatch.setattr("sim.scene.build_street", None)
     monkeypatch.setattr("sim.rendering.vulkan.LIBRARY", "libnone.so")
+    probe.cache_clear()  # what other tests found
+    request.addfinalizer(probe.cache_clear)
     scenario = load_scenario(tiny, ["renderer=filament"])
     with (
         pytest.raises(ValueError, match=r"renderer 'filament' does not run .*apt-get install libvulkan1"),

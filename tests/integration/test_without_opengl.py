@@ -84,6 +84,9 @@ def test_a_sweep_is_refused_once_unless_all_is_recorded(
         assert (tmp_path / f"sweep{seed}").exists() == (code == 0)
         if code:
             assert answer.stderr.startswith("error: no off-screen OpenGL") and answer.stderr.count("\n") == 1
+        else:
+            again = rigtrue(environment, tmp_path, "sweep", "./some.yaml", "--out", f"sweep{seed}")
+            assert "1 of 1 runs are there already" in again.stdout + again.stderr
 
 
 def test_a_recording_is_replayed(
