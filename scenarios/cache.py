@@ -61,10 +61,13 @@ class RecordingCache:
             yield entry / _BAG
 
     def newest(self, prefix: str) -> str | None:
-        """Return the name of the last used whole recording whose name begins like this; None without one."""
-        entries = [path for path in self.folder.glob(f"{prefix}*") if path.is_dir() and not path.suffix]
-        whole = filter(checksum_holds, sorted(entries, key=lambda path: path.stat().st_mtime, reverse=True))
-        return next((path.name for path in whole), None)
+        """Return the name of the last used recording whose name begins like this; None without one.
+
+        Whether it is whole is seen when it is used.
+        """
+        entries = (path for path in self.folder.glob(f"{prefix}*") if path.is_dir() and not path.suffix)
+        last = max(entries, key=lambda path: path.stat().st_mtime, default=None)
+        return None if last is None else last.name
 
     def used_bytes(self) -> int:
         """Return the size of all recordings."""
