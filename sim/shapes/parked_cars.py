@@ -69,15 +69,18 @@ OFF_ROADER = CarKind(
 KINDS = (HATCH, HATCH, SEDAN, SEDAN, ESTATE, OFF_ROADER, VAN)
 
 
-def car(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
-    """Mesh (centred on the origin, nose to +x) and skin of one car of a kind."""
-    profile = np.array(kind.profile_m)
-    skin = Skin(paint_car(profile, kind.belt_m, kind.axles_m, rng), specular=0.5)
-    return _mesh(kind).moved((-profile[-1, 0] / 2, 0.0, 0.0)), skin
+def car_mesh(kind: CarKind) -> Mesh:
+    """A car of a kind, centred on the origin, nose to +x."""
+    return _mesh(kind).moved((-kind.profile_m[-1][0] / 2, 0.0, 0.0))
+
+
+def car_skin(kind: CarKind, rng: np.random.Generator) -> Skin:
+    """What one car of a kind looks like."""
+    return Skin(paint_car(np.array(kind.profile_m), kind.belt_m, kind.axles_m, rng), specular=0.5)
 
 
 def body(kind: CarKind, rng: np.random.Generator) -> tuple[Mesh, Skin]:
-    """The same as ``car`` without wheels, for one that moves, with its lamps on at night."""
+    """Mesh and skin without wheels, for one that moves, with its lamps on at night."""
     profile = np.array(kind.profile_m)
     image = paint_car(profile, kind.belt_m, kind.axles_m, rng)
     skin = Skin(image, specular=0.5, glow=car_lamp_glow(image))

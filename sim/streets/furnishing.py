@@ -19,7 +19,7 @@ from sim.streets.lamps import Lamp, line_with_lamps
 from sim.streets.lot import Lot
 from sim.streets.motorway_sides import line_motorways
 from sim.streets.network import Network
-from sim.streets.parking import draw_cars, park
+from sim.streets.parking import draw_cars, paint_cars, park
 from sim.streets.placing import TO_STREET, KerbSite, Site, Thing
 from sim.streets.planting import Greenery, line_with_trees, plant_front_garden, plant_garden
 from sim.streets.scenery import Scenery, Skin
@@ -63,9 +63,10 @@ def furnish(
             plant_front_garden(behind, lot, green)
     if any(kerb.lining == "houses" for kerb in network.kerbs):
         plant_backdrop(behind, network, lots, driven_m, Greenery(catalogue, vegetation, copses))
-    car_skins, models = draw_cars(cars)
+    models = draw_cars(cars)
     parked = Site("parked", Ground([]), network.relief, driven_m)
     park(parked, network.bays, models, parking, bays)
+    car_skins = paint_cars(models, parked.props)
     street = Site("street", _without_bays(network, behind.ground.taken_m), network.relief, driven_m)
     lamps = _furnish_kerbs(street, network, catalogue, Greenery(catalogue, vegetation, trees), things)
     lamps += furnish_islands(street, network, Greenery(catalogue, vegetation, middles))
