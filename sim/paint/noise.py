@@ -42,6 +42,17 @@ def fractal(
     return result
 
 
+def grain(rng: np.random.Generator, shape: tuple[int, int]) -> Array:
+    """Differences from texel to texel that even out over a few: (H, W) float32 of unit standard deviation.
+
+    Cameras resolve it from close by only; mipmaps leave nothing of it at a distance, as on real asphalt.
+    """
+    stones = rng.standard_normal(shape, dtype=np.float32)
+    stones -= cv2.blur(stones, (3, 3))
+    result: Array = stones / float(stones.std())
+    return result
+
+
 def smoothstep(low: float, high: float, value: Array) -> Array:
     """Blend from 0 at ``low`` to 1 at ``high``."""
     t = np.clip((value - low) / (high - low), 0.0, 1.0)
