@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import mujoco
 import numpy as np
 
-PAINT_RGBA = (0.38, 0.10, 0.10, 1.0)
-TRIM_RGBA = (0.05, 0.05, 0.06, 1.0)
-GLASS_RGBA = (0.03, 0.04, 0.05, 1.0)
-RIM_RGBA = (0.55, 0.55, 0.58, 1.0)
+from estimator.se3 import Array
+from sim.vehicle.car_flank import CHROME_RGBA, DOORS_M, PAINT_RGBA, TRIM_RGBA, Rgba, flank_details
+
+GLASS_RGBA = (0.13, 0.15, 0.17, 1.0)  # from outside it shows the sky more than the cabin
 
 Profile = tuple[tuple[float, float, float], ...]
+_MIRRORED = np.array([1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True)
@@ -25,7 +26,7 @@ class Panel:
 
     name: str
     corners_m: Profile
-    rgba: tuple[float, float, float, float]
+    rgba: Rgba
 
 
 # The bonnet falls away in front of the windscreen cameras: its front edge is 25 deg below the horizon there.
@@ -37,14 +38,7 @@ PANELS = (
     ),
     Panel(
         "cabin",
-        (
-            (2.16, 0.82, 0.97),
-            (2.16, 0.86, 0.60),
-            (2.16, 0.82, 0.28),
-            (-0.85, 0.78, 0.28),
-            (-0.88, 0.85, 0.60),
-            (-0.84, 0.80, 0.97),
-        ),
+        tuple((x, width - (0.0 if x > 0 else 0.012), z) for x in (2.16, -0.86) for z, width in DOORS_M),
         PAINT_RGBA,
     ),
     Panel(
@@ -66,15 +60,21 @@ PANELS = (
 
 
 def write_body(spec: mujoco.MjSpec, chassis: mujoco.MjsBody) -> None:
-    """Add the body's panels to the chassis."""
+    """Add the body's panels, and what is on its flanks, to the chassis."""
     for panel in PANELS:
         corners = np.array(panel.corners_m)
-        points = np.concatenate([corners, corners * [1, -1, 1]])
-        mesh = spec.add_mesh(name=f"car_{panel.name}", uservert=points.ravel())
-        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
-        chassis.add_geom(
-            type=mujoco.mjtGeom.mjGEOM_MESH, meshname=mesh.name, rgba=panel.rgba, contype=0, conaffinity=0
-        )
+        _write_hull(spec, chassis, panel.name, np.concatenate([corners, corners * _MIRRORED]), panel.rgba)
+    for detail in flank_details():
+        _write_hull(spec, chassis, f"left_{detail.name}", detail.points_m, detail.rgba)
+        _write_hull(spec, chassis, f"right_{detail.name}", detail.points_m * _MIRRORED, detail.rgba)
+
+
+def _write_hull(
+    spec: mujoco.MjSpec, chassis: mujoco.MjsBody, name: str, points_ego_m: Array, rgba: Rgba
+) -> None:
+    mesh = spec.add_mesh(name=f"car_{name}", uservert=points_ego_m.ravel())
+    mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+    chassis.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=mesh.name, rgba=rgba, contype=0, conaffinity=0)
 
 
 def write_wheel(rim: mujoco.MjsBody, wheel: str, radius_m: float) -> None:
@@ -85,7 +85,7 @@ def write_wheel(rim: mujoco.MjsBody, wheel: str, radius_m: float) -> None:
     cylinder = mujoco.mjtGeom.mjGEOM_CYLINDER
     rim.add_geom(type=cylinder, size=[radius_m, 0.1, 0], quat=across, rgba=TRIM_RGBA, **seen)
     rim.add_geom(
-        type=cylinder, size=[0.2, 0.09, 0], pos=[0, 0.02 * outward, 0], quat=across, rgba=RIM_RGBA, **seen
+        type=cylinder, size=[0.2, 0.09, 0], pos=[0, 0.02 * outward, 0], quat=across, rgba=CHROME_RGBA, **seen
     )
     rim.add_geom(
         type=mujoco.mjtGeom.mjGEOM_BOX,
