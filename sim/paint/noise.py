@@ -49,8 +49,7 @@ def grain(rng: np.random.Generator, shape: tuple[int, int]) -> Array:
     """
     stones = rng.standard_normal(shape, dtype=np.float32)
     stones -= cv2.blur(stones, (3, 3))
-    result: Array = stones / float(stones.std())
-    return result
+    return np.asarray(stones / float(stones.std()))
 
 
 def smoothstep(low: float, high: float, value: Array) -> Array:
