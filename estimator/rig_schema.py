@@ -114,6 +114,12 @@ class RigEntry(Config):
         if cameras is not None and reference not in cameras:
             there = ", ".join(cameras) or "none"
             raise ValueError(f"got {reference!r}, wanted one of the cameras; there are: {there}")
+        if cameras is not None and cameras[reference].ego_from_cam.translation_m[2] <= 0:
+            height_m = cameras[reference].ego_from_cam.translation_m[2]
+            raise ValueError(
+                f"got {reference!r}, whose translation_m has z = {height_m:g}, wanted a camera above "
+                "the road, z = 0: its height gives the scale"
+            )
         return reference
 
     def rig(self) -> Rig:

@@ -22,6 +22,7 @@ from sim.faults.chain import check_cameras
 from sim.faults.wrong_intrinsics import check_true_lenses
 from sim.sensing.refit import check_lenses, with_lenses
 from sim.vehicle.mount_events import check_events
+from sim.vehicle.mounting_place import check_places
 from sim.world import WorldConfig
 
 
@@ -58,6 +59,7 @@ def load_scenario(reference: str, settings: Iterable[str] = (), seed: int | None
         rig = with_lenses(rig, world.sensor.lens)
     try:
         check_lenses(rig)
+        check_places(rig)
     except InputError as error:
         raise InputError(f"{rig_file}: {error}") from None
     _check_world(world, rig, seed, layers)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from sim.light.weather import WeatherConfig
 from sim.rendering.names import RendererName
+from sim.sensing.sensor import SensorConfig
 from sim.streets.street import StreetConfig
 from sim.vehicle.drive import DriveConfig
 
@@ -36,6 +37,20 @@ def check_slope(street: StreetConfig, drive: DriveConfig) -> None:
         raise ValueError(
             f"street.slope_percent: got {street.slope_percent:g}, wanted 0 to {climbed_percent:g} where "
             f"drive.grip is {drive.grip:g}: its wheels would slip on anything steeper"
+        )
+
+
+def check_shutter(sensor: SensorConfig, drive: DriveConfig) -> None:
+    """Refuse a shutter that still reads one image out when the next begins.
+
+    Raises:
+        ValueError: What was got and what was wanted, with the dotted path.
+    """
+    longest_s = 1.0 / drive.rate_hz
+    if sensor.rolling_shutter_s > longest_s:
+        raise ValueError(
+            f"sensor.rolling_shutter_s: got {sensor.rolling_shutter_s:g}, wanted 0 to {longest_s:.3g} where "
+            f"drive.rate_hz is {drive.rate_hz:g}: the next image begins before"
         )
 
 

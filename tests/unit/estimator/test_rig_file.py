@@ -167,3 +167,8 @@ def test_what_is_no_rig_file_is_refused(tmp_path: Path) -> None:
     for name, message in (("none.yaml", "no such rig file"), (".", "got a folder"), ("binary", "not text")):
         with pytest.raises(InputError, match=message):
             read_rig(tmp_path / name)
+
+
+def test_a_reference_below_the_road_is_refused(tmp_path: Path) -> None:
+    message = refusal(tmp_path, TEXT.replace("[1.8, 0.1, 1.45]", "[1.8, 0.1, -5.0]"))
+    assert "reference: got 'front', whose translation_m has z = -5, wanted a camera above the road" in message

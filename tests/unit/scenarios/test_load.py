@@ -198,3 +198,10 @@ def test_a_lens_that_folds_over_is_refused_with_the_rig_file(tmp_path: Path) -> 
 def test_weather_that_cannot_be_is_refused(settings: list[str], message: str) -> None:
     with pytest.raises(InputError, match=f"--set: {message}"):
         load_scenario("first_drive", settings)
+
+
+def test_a_shutter_slower_than_the_images_is_refused() -> None:
+    with pytest.raises(
+        InputError, match=r"rolling_shutter_s: got 0\.05, wanted 0 to 0\.0167 where drive\.rate_hz is 60"
+    ):
+        load_scenario("first_drive", ["drive.rate_hz=60", "sensor.rolling_shutter_s=0.05"])
