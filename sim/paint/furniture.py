@@ -18,7 +18,7 @@ from sim.paint.paving import lay_setts
 from sim.paint.signs import paint_plates, paint_signals, paint_signs
 
 _TEXEL_M = 0.0065
-_LAMP_LEVEL, _SIGNAL_LEVEL = 250, 110
+_SIGNAL_LEVEL = 110
 
 
 def paint_furniture(names: Sequence[str], rng: np.random.Generator) -> RgbImage:
@@ -50,10 +50,11 @@ def paint_furniture(names: Sequence[str], rng: np.random.Generator) -> RgbImage:
 
 
 def furniture_glow() -> NDArray[np.uint8]:
-    """Return (H, W) the light that lamps and signals shed at night, in levels of a sunny day."""
+    """Return (H, W) the light that signals shed at night, in levels of a sunny day.
+
+    Street lamps are none of it: which of them burn is for the light to say, and it draws their faces.
+    """
     canvas = Canvas(*SIZE_M, (_TEXEL_M, _TEXEL_M), (0, 0, 0))
-    x, y, w, h = REGIONS_M["lamp"]
-    canvas.rect(x, y, x + w, y + h, (_LAMP_LEVEL,) * 3)
     paint_signals(canvas, glow=_SIGNAL_LEVEL)
     return canvas.image()[..., 0]
 

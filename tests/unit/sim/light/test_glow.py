@@ -1,8 +1,10 @@
-"""What shines by itself: lamps of driving cars, lit windows."""
+"""What shines by itself: lamps of driving cars, lit windows, signals; street lamps only where they burn."""
 
 import numpy as np
 
 from sim.paint.car_lamps import car_lamp_glow
+from sim.paint.furniture import furniture_glow
+from sim.paint.furniture_parts import region
 from sim.paint.lit_windows import light_windows
 from sim.shapes.facade_plan import draw_facade
 from sim.shapes.parked_cars import KINDS, body
@@ -26,3 +28,12 @@ def test_some_windows_are_lit_and_the_wall_never() -> None:
     row, column = np.argwhere(glow > 0)[0]
     x, z = (column + 0.5) * 0.05, facade.height_m - (row + 0.5) * 0.05
     assert any(p.x0 < x < p.x1 and p.z0 < z < p.z1 for p in panes) or x > facade.width_m
+
+
+def test_signals_shine_by_themselves_and_street_lamps_do_not() -> None:
+    glow = furniture_glow()
+    height, width = glow.shape
+    for name, shines in (("signal_red", True), ("signal_green", True), ("lamp", False)):
+        u0, v0, u1, v1 = region(name)
+        part = glow[int(v0 * height) : int(v1 * height), int(u0 * width) : int(u1 * width)]
+        assert bool((part > 60).any()) is shines, name
