@@ -18,13 +18,12 @@ WallPainter = Callable[[Canvas, Facade, np.random.Generator], None]
 
 
 def paint_facade(facade: Facade, texel_m: float, rng: np.random.Generator) -> RgbImage:
-    """Front, flank and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
+    """Front, flanks and roof of one house as an RGB image; x as in the facade, y down from the eaves."""
     canvas = Canvas(atlas_width_m(facade), facade.height_m, (texel_m, texel_m), facade.wall_color)
     _WALLS[facade.wall](canvas, facade, rng)
     if facade.wall != "render":
         _age(canvas, facade, rng)
-    flank = [panel.shifted(facade.width_m) for panel in facade.flank]
-    for panel in (*facade.panels, *flank):
+    for panel in facade.all_panels:
         _cast_shade(canvas, facade, panel)
         PAINTERS[panel.kind](canvas, facade, _flipped(facade, panel), rng)
     if facade.wall != "render":
@@ -64,8 +63,8 @@ def _courses(stone_m: tuple[float, float], tone: float) -> WallPainter:
 
 def _plaster(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     canvas.shade(0.03 * fractal(rng, canvas.shape, canvas.cells(0.25), 4, 0.8))
-    for _ in range(round(facade.width_m * facade.height_m / 14)):
-        x, y = rng.uniform(0, facade.width_m + FLANK_M), facade.height_m - abs(rng.normal(0, 2.0))
+    for _ in range(round((facade.walls_m - FLANK_M) * facade.height_m / 14)):
+        x, y = rng.uniform(0, facade.walls_m), facade.height_m - abs(rng.normal(0, 2.0))
         outline = rng.uniform(0.2, 0.7) * (1 + 0.35 * rng.standard_normal((14, 1)))
         angles = np.linspace(0, 2 * np.pi, 14, endpoint=False)
         shape = np.stack([np.cos(angles) * 1.4, np.sin(angles)], 1) * outline + [x, y]
@@ -97,7 +96,7 @@ def _age(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     foot = smoothstep(0.9, 0.0, height + 0.25 * blotches)
     canvas.shade(0.075 * blotches + 0.06 * streaks * smoothstep(0.0, 1.0, streaks) - 0.3 * foot)
     for _ in range(int(rng.integers(2, 6))):
-        start = np.array([rng.uniform(0, facade.width_m + FLANK_M), rng.uniform(0, facade.height_m)])
+        start = np.array([rng.uniform(0, facade.walls_m), rng.uniform(0, facade.height_m)])
         line = crooked_line(rng, start, rng.uniform(0.9, 2.2), rng.uniform(0.5, 2.5), 0.5)
         canvas.stroke(line, 0.02, (60, 56, 50), 0.8)
 
@@ -114,8 +113,8 @@ def _cast_shade(canvas: Canvas, facade: Facade, panel: Panel) -> None:
 
 def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     """Sprayed tags, posters, a house number: what gathers on walls within reach."""
-    for _ in range(rng.poisson(facade.width_m / 6.0)):
-        x, y = rng.uniform(0.2, facade.width_m + FLANK_M - 1), facade.height_m - rng.uniform(0.7, 1.9)
+    for _ in range(rng.poisson((facade.walls_m - FLANK_M) / 6.0)):
+        x, y = rng.uniform(0.2, facade.walls_m - 1), facade.height_m - rng.uniform(0.7, 1.9)
         if rng.random() < 0.5:
             line = scrawl(rng, rng.uniform(0.5, 1.4), 0.35) + np.array([x, y])
             canvas.stroke(
@@ -138,7 +137,7 @@ def _scribble(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
 
 def _roof(canvas: Canvas, facade: Facade, rng: np.random.Generator) -> None:
     """Tiles above, plain wall below them, and the front of a dormer at the foot of the last column."""
-    x0, x1, height = facade.width_m + FLANK_M, atlas_width_m(facade), facade.height_m
+    x0, x1, height = facade.walls_m, atlas_width_m(facade), facade.height_m
     eaves = height - DORMER_M - WALL_M
     tone = rng.uniform(62, 108)
     lay_setts(canvas, x0, 0, x1, eaves, (0.26, 0.32), tone, rng)

@@ -19,8 +19,7 @@ def light_windows(
 ) -> npt.NDArray[np.uint8]:
     """Return (H, W) the level of the light that each texel of a painted house sheds at night."""
     glow = np.zeros(image.shape[:2], np.uint8)
-    flank = [panel.shifted(facade.width_m) for panel in facade.flank]
-    for panel in (*facade.panels, *flank):
+    for panel in facade.all_panels:
         if panel.kind in _LIT and rng.random() < _LIT[panel.kind]:
             _light(glow, image, panel, facade, texel_m, float(rng.uniform(*_LEVEL[panel.kind])))
     return glow

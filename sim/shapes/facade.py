@@ -11,7 +11,7 @@ from typing import Literal
 
 Rgb = tuple[float, float, float]
 RoofKind = Literal["gable", "hip", "flat"]
-FLANK_M = 6.0  # width of the side wall in the texture; it is stretched over the depth of the house
+FLANK_M = 6.0  # width of a side wall in the texture; it is stretched over the depth of the house
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,8 @@ class Facade:
         wall: Material: brick, plaster, ashlar, boards or render (smooth and clean).
         muntins: Bars across a window.
         panels: On the front.
-        flank: On each side wall, which is ``FLANK_M`` wide.
+        flanks: On the left, the right and the back wall, each ``FLANK_M`` wide and painted for itself; one
+            for all three where nobody sees them.
         roof: What covers it.
         shop_name: What is written over the shop, if there is one; empty for any name.
     """
@@ -75,6 +76,21 @@ class Facade:
     accent_color: Rgb
     muntins: int
     panels: tuple[Panel, ...] = field(default=())
-    flank: tuple[Panel, ...] = field(default=())
+    flanks: tuple[tuple[Panel, ...], ...] = ((),)
     roof: Roof = Roof("flat", 0.05)
     shop_name: str = ""
+
+    @property
+    def walls_m(self) -> float:
+        """Width of all walls side by side, as they lie in the texture."""
+        return self.width_m + FLANK_M * len(self.flanks)
+
+    def flank_m(self, side: int) -> float:
+        """Where in the texture the left (0), right (1) or back (2) wall begins."""
+        return self.width_m + FLANK_M * (side % len(self.flanks))
+
+    @property
+    def all_panels(self) -> tuple[Panel, ...]:
+        """Those of every wall, where they lie in the texture."""
+        sides = (panel.shifted(self.flank_m(k)) for k, flank in enumerate(self.flanks) for panel in flank)
+        return (*self.panels, *sides)

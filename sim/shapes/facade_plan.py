@@ -59,7 +59,7 @@ def draw_facade(
         ACCENT_COLORS[rng.integers(len(ACCENT_COLORS))],
         int(rng.integers(1, 4)),
         tuple(panels),
-        tuple(_flank(rhythm, corner)),
+        _flanks(rhythm, corner, rng),
         _draw_roof(width_m, corner, rng),
     )
 
@@ -89,20 +89,30 @@ def draw_plain_house(
         ACCENT_COLORS[rng.integers(len(ACCENT_COLORS))],
         0,
         tuple(panels),
-        tuple(_flank(rhythm, corner)),
+        _flanks(rhythm, corner, rng),
         _draw_roof(width_m, corner, rng),
     )
 
 
-def _flank(rhythm: Rhythm, corner: bool) -> list[Panel]:
-    """Side walls face neighbours and are bare, but at a corner they have windows on every floor."""
+def _flanks(rhythm: Rhythm, corner: bool, rng: np.random.Generator) -> tuple[tuple[Panel, ...], ...]:
+    """Side walls face neighbours and are bare, but at a corner each has windows of its own on every floor."""
     if not corner:
-        return []
+        return ((),)
+    return tuple(tuple(_flank(rhythm, stream)) for stream in rng.spawn(3))
+
+
+def _flank(rhythm: Rhythm, rng: np.random.Generator) -> list[Panel]:
+    """Two columns of windows with gaps where stairs or a bathroom are, and perhaps a downpipe."""
     panels = [Panel(0, FLANK_M, rhythm.height_m - 0.28, rhythm.height_m, 0.28, "cornice")]
+    columns = (float(rng.uniform(0.21, 0.29)) * FLANK_M, float(rng.uniform(0.69, 0.79)) * FLANK_M)
     for floor in range(rhythm.floors + 1):
         sill = 1.05 if floor == 0 else rhythm.ground_m + (floor - 1) * rhythm.floor_m + 0.75
-        for middle in (0.27 * FLANK_M, 0.73 * FLANK_M):
-            panels += window(middle, sill, rhythm, tall=False)
+        for middle in columns:
+            if rng.random() < 0.88:
+                panels += window(middle, sill, rhythm, tall=False)
+    if rng.random() < 0.5:
+        pipe = float(rng.choice([0.06, FLANK_M - 0.17]))
+        panels.append(Panel(pipe, pipe + 0.11, 0.05, rhythm.height_m - 0.4, 0.1, "pipe"))
     return panels
 
 

@@ -15,8 +15,8 @@ FOUNDATION_M = 2.0  # how far walls go down, so that a house can stand on a slop
 
 
 def atlas_width_m(facade: Facade) -> float:
-    """Width of the texture: front, flank, roof side by side."""
-    return facade.width_m + FLANK_M + ROOF_M
+    """Width of the texture: front, flanks, roof side by side."""
+    return facade.walls_m + ROOF_M
 
 
 def house_mesh(
@@ -34,21 +34,23 @@ def house_mesh(
     (left, right), (left_back, right_back) = np.asarray(front_m, float), np.asarray(back_m, float)
     total = atlas_width_m(facade)
     front_u = (0.0, facade.width_m / total)
-    flank_u = (front_u[1] + 0.002, (facade.width_m + FLANK_M) / total - 0.002)
+    walls_u = facade.walls_m / total
     size = (facade.width_m, facade.height_m)
     walls = [wall_mesh(facade.panels, size, left, right, relief_m, front_u)]
     plain = 10.0  # no panel stands out as far: the wall stays flat
     sides = ((left_back, left, seen[0]), (right, right_back, seen[1]), (right_back, left_back, False))
-    for a, b, is_seen in sides:
-        relief = relief_m if is_seen else plain
-        walls.append(wall_mesh(facade.flank, (FLANK_M, facade.height_m), a, b, relief, flank_u))
+    for k, (a, b, is_seen) in enumerate(sides):
+        relief, start_m = relief_m if is_seen else plain, facade.flank_m(k)
+        u = (start_m / total + 0.002, (start_m + FLANK_M) / total - 0.002)
+        plan = facade.flanks[k % len(facade.flanks)]
+        walls.append(wall_mesh(plan, (FLANK_M, facade.height_m), a, b, relief, u))
     outline = np.array([left, right, right_back, left_back])
     return merged(
         [
             *walls,
-            _foundation(outline, (front_u[0], flank_u[1])),
+            _foundation(outline, (front_u[0], walls_u - 0.002)),
             _backing(facade, outline, front_u[1] * 0.5),
-            roof_mesh(facade, outline, (flank_u[1] + 0.004, 0.999)),
+            roof_mesh(facade, outline, (walls_u + 0.002, 0.999)),
         ]
     )
 

@@ -1,12 +1,15 @@
 """Houses: closed towards every side, roofs over their walls, shapes that follow a line."""
 
+import itertools
+
 import numpy as np
 import pytest
 
-from sim.shapes.facade import Facade
+from sim.paint.facade import paint_facade
+from sim.shapes.facade import FLANK_M, Facade
 from sim.shapes.facade_plan import CANYON, OLD_TOWN, draw_facade, draw_plain_house
 from sim.shapes.gateway import GATE_FLOORS, GATEWAY_M, with_gateway
-from sim.shapes.house_mesh import FOUNDATION_M, house_mesh
+from sim.shapes.house_mesh import FOUNDATION_M, atlas_width_m, house_mesh
 from sim.shapes.mesh import Mesh
 from sim.shapes.sweep import along_section, sweep
 
@@ -46,8 +49,32 @@ def test_a_house_reaches_into_the_ground_for_slopes() -> None:
 
 def test_a_corner_house_has_windows_in_relief_on_its_sides() -> None:
     plain, corner = house(3)[1], house(3, corner=True)[1]
-    assert not house(3)[0].flank
+    assert not any(house(3)[0].flanks)
     assert len(corner.faces) > len(plain.faces) + 40
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_no_two_sides_of_a_corner_house_are_alike(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    facade = draw_facade(9.0, rng, corner=True)
+    image = paint_facade(facade, 0.05, rng)
+    starts = [round(facade.flank_m(k) / 0.05) for k in range(3)]
+    sides = [image[:, start : start + 120].astype(float) for start in starts]
+    for one, other in itertools.combinations(sides, 2):
+        assert (np.abs(one - other).mean(axis=2) > 15).mean() > 0.1
+
+
+def test_each_side_of_a_corner_house_shows_its_own_part_of_the_texture() -> None:
+    facade, mesh = house(3, corner=True)
+    a, b, c = (mesh.vertices_m[mesh.faces[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    walls = (mesh.vertices_m[mesh.faces][..., 2] > -0.1).all(axis=1)
+    ends_m = []
+    for direction in ((-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
+        facing_it = walls & (normals @ direction > 0.99 * np.linalg.norm(normals, axis=1))
+        x_m = mesh.uvs[mesh.faces[facing_it], 0] * atlas_width_m(facade)
+        ends_m.append(x_m[x_m <= facade.walls_m].max())  # beyond it is roof
+    assert ends_m == pytest.approx([facade.flank_m(k) + FLANK_M for k in range(3)], abs=0.1)
 
 
 def test_a_canyon_is_twice_as_high_and_a_plain_house_has_few_panels() -> None:
