@@ -6,7 +6,7 @@ import numpy as np
 
 from sim.paint.canvas import Canvas, RgbImage
 from sim.paint.noise import fractal
-from sim.shapes.mesh import Rect
+from sim.shapes.mesh import Rect, texture_part
 
 _SIZE_M = (1.28, 0.64)
 _TEXEL_M = 0.01
@@ -21,13 +21,7 @@ _COLORS = ((180, 36, 34), (30, 32, 36), (40, 90, 150), (214, 214, 208), (46, 110
 
 def part(name: str) -> Rect:
     """Part of the texture as texture coordinates."""
-    x, y, w, h = _PARTS[name]
-    return (
-        (x + _TEXEL_M) / _SIZE_M[0],
-        (y + _TEXEL_M) / _SIZE_M[1],
-        (x + w - _TEXEL_M) / _SIZE_M[0],
-        (y + h - _TEXEL_M) / _SIZE_M[1],
-    )
+    return texture_part(_PARTS[name], _SIZE_M, _TEXEL_M)
 
 
 def paint_bicycle(rng: np.random.Generator) -> RgbImage:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from sim.shapes.mesh import Rect
+from sim.shapes.mesh import Rect, texture_part
 
 SIZE_M = (5.0, 3.7)
 SIGN_M = 0.6
 PLATE_M = (0.95, 0.32)
+_INSET_M = 0.01
 REGIONS_M = {  # left, top, width, height
     "steel": (0.0, 0.0, 1.0, 1.0),
     "green": (1.0, 0.0, 1.0, 1.0),
@@ -38,11 +39,5 @@ REGIONS_M = {  # left, top, width, height
 
 
 def region(name: str) -> Rect:
-    """Texture coordinates of a part, a texel inside its edge."""
-    x, y, w, h = REGIONS_M[name]
-    return (
-        (x + 0.01) / SIZE_M[0],
-        (y + 0.01) / SIZE_M[1],
-        (x + w - 0.01) / SIZE_M[0],
-        (y + h - 0.01) / SIZE_M[1],
-    )
+    """Texture coordinates of a part, a little inside its edge."""
+    return texture_part(REGIONS_M[name], SIZE_M, _INSET_M)

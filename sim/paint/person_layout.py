@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from sim.paint.canvas import Canvas, Color
-from sim.shapes.mesh import Rect
+from sim.shapes.mesh import Rect, texture_part
 
 SIZE_M = (1.92, 2.4)
 TEXEL_M = 0.004
@@ -28,10 +26,7 @@ REGIONS = {
 
 def region(name: str) -> Rect:
     """Part of the texture as texture coordinates, a texel in from its borders."""
-    x, y, w, h = REGIONS[name]
-    low, high = np.array([x, y]) + TEXEL_M, np.array([x + w, y + h]) - TEXEL_M
-    (u0, v0), (u1, v1) = low / SIZE_M, high / SIZE_M
-    return float(u0), float(v0), float(u1), float(v1)
+    return texture_part(REGIONS[name], SIZE_M, TEXEL_M)
 
 
 def fill_region(canvas: Canvas, name: str, color: Color) -> None:

@@ -77,6 +77,25 @@ def quads(corners_m: Array, uvs: Array) -> Mesh:
     )
 
 
+def texture_part(
+    part_m: tuple[float, float, float, float], size_m: tuple[float, float], inset_m: float
+) -> Rect:
+    """Return a part of a texture as texture coordinates, inside its edge so that no neighbour bleeds in.
+
+    Args:
+        part_m: Its left, top, width and height.
+        size_m: Width and height of the whole texture.
+        inset_m: How far inside.
+    """
+    x, y, w, h = part_m
+    return (
+        (x + inset_m) / size_m[0],
+        (y + inset_m) / size_m[1],
+        (x + w - inset_m) / size_m[0],
+        (y + h - inset_m) / size_m[1],
+    )
+
+
 def rect_uvs(rect: Rect) -> Array:
     """Texture corners for a quad listed from bottom left, counter-clockwise; (4, 2)."""
     u0, v0, u1, v1 = rect
