@@ -31,7 +31,7 @@ def plant_backdrop(
     """Close every view into the open with a copse."""
     rng, catalogue = green.rng, green.catalogue
     for spot, ahead in zip(*open_views(network, lots, driven_m), strict=True):
-        things = catalogue.trees(fine=False) if rng.random() < _TREES else catalogue.thickets
+        things = catalogue.trees if rng.random() < _TREES else catalogue.thickets
         thing, back = things[int(rng.random() * len(things))], rng.uniform(0.0, _DEPTH_M)
         site.put_at(thing, spot + back * ahead, rng.uniform(0, 6), 0.0, _CLEARANCE_M, shown=green.grows())
 

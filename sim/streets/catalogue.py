@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from itertools import cycle
 
 import numpy as np
@@ -45,12 +45,16 @@ class Catalogue:
     """Shared models, so that a hundred trees are a handful of meshes.
 
     ``by_facade`` and ``by_kerb`` yield one thing after another of each model: what bears marks comes again
-    only when all its pieces have been handed out.
+    only when all its pieces have been handed out. ``street_trees`` are for what is seen from near, and come
+    again only after all others too.
     """
 
     def __init__(self, rng: np.random.Generator) -> None:
-        self._fine = [_tree(kind, True, rng) for kind in (*SPECIES, *SPECIES[:4])]
-        self._coarse = [_tree(kind, False, rng) for kind in (*SPECIES, *SPECIES[:2])]
+        avenue = rng.spawn(1)[0]
+        grown = [_tree(kind, True, rng) for kind in (*SPECIES, *SPECIES[:4])]
+        grown += [_tree(kind, True, avenue) for kind in (*SPECIES[4:], *SPECIES, *SPECIES)]
+        self.street_trees = cycle([grown[k] for k in avenue.permutation(len(grown))])
+        self.trees = [_tree(kind, False, rng) for kind in (*SPECIES, *SPECIES[:2])]
         self.conifers = [_tree(SPRUCE, False, rng) for _ in range(2)]
         self.bushes = [Thing(bush_mesh(r, kind, rng), "plants", (1.5 * r, 1.5 * r)) for r, kind in _BUSHES]
         self.thickets = [
@@ -83,10 +87,6 @@ class Catalogue:
             for skin in range(SKINS)
             for k in range(PLATES)
         ]
-
-    def trees(self, fine: bool) -> Sequence[Thing]:
-        """Street trees; two fine ones of each species where one does for those far away."""
-        return self._fine if fine else self._coarse
 
 
 def furniture_skin(coat: int) -> str:

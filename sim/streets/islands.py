@@ -71,8 +71,9 @@ def _strip(site: Site, kerb: KerbLine, axis: LineString, index: int, green: Gree
                 kerb.height_m,
             )
     for s in np.arange(2.5, axis.length - 1.0, _TREE_EVERY_M):
-        trees = green.catalogue.trees(fine=site.from_route_m(start + s * ahead) < _FINE_TREES_M)
-        tree = trees[int(rng.integers(len(trees)))]
+        far_tree = green.catalogue.trees[int(rng.integers(len(green.catalogue.trees)))]
+        fine = site.from_route_m(start + s * ahead) < _FINE_TREES_M
+        tree = next(green.catalogue.street_trees) if fine else far_tree
         site.put_at(tree, start + s * ahead, rng.uniform(0, 6), kerb.height_m, 0.3, shown=green.grows())
     for s in np.arange(1.0, axis.length - 0.5, 1.3):
         bush = green.catalogue.bushes[int(rng.integers(len(green.catalogue.bushes)))]
@@ -95,8 +96,7 @@ def _round(site: Site, kerb: KerbLine, outline: Polygon, green: Greenery) -> Non
     for angle in np.arange(0.4, 2 * np.pi, 2 * np.pi / 5):
         out = np.array([np.cos(angle), np.sin(angle)])
         site.put_at(chevron, middle + (radius - 0.9) * out, float(angle), kerb.height_m)
-    trees = green.catalogue.trees(fine=True)
-    site.put_at(trees[int(rng.integers(len(trees)))], middle, 0.0, kerb.height_m, shown=green.grows())
+    site.put_at(next(green.catalogue.street_trees), middle, 0.0, kerb.height_m, shown=green.grows())
     for k in range(round(2.2 * radius**2)):
         angle, share = 2.39996 * k, np.sqrt((k + 1.0) / (2.2 * radius**2))
         at = middle + (radius - 1.4) * share * np.array([np.cos(angle), np.sin(angle)])

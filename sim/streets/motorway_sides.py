@@ -115,7 +115,7 @@ def _bushes(street: KerbSite, walls: list[tuple[float, float]], green: Greenery)
         walled = any(low - 2.0 < s < high + 2.0 for low, high in walls)
         is_tree = bool(rng.random() < 0.3) and not walled
         far = _WALL_FROM_EDGE_M + rng.uniform(0.6, 1.6) if not walled else rng.uniform(2.6, 4.0)
-        things = green.catalogue.trees(fine=False) if is_tree else green.catalogue.bushes
+        things = green.catalogue.trees if is_tree else green.catalogue.bushes
         thing, turn = things[int(rng.integers(len(things)))], rng.uniform(0, 6)
         if rng.random() < (0.3 if walled else 0.9):
             street.put(thing, s + rng.uniform(-1, 1), far, turn, 0.0, shown=green.grows())
@@ -128,7 +128,7 @@ def _copses(street: KerbSite, walls: list[tuple[float, float]], green: Greenery)
         at = s + rng.uniform(-5.0, 5.0)
         walled = any(low < at < high for low, high in walls)
         for _ in range(int(rng.integers(1, 5))):
-            things = catalogue.thickets if rng.random() < 0.5 else catalogue.trees(fine=False)
+            things = catalogue.thickets if rng.random() < 0.5 else catalogue.trees
             thing, d = things[int(rng.integers(len(things)))], rng.uniform(*_COPSE_M)
             spot = street.kerb.path.point_m(at + rng.normal(0, 3.0), d)
             street.site.put_at(thing, spot, rng.uniform(0, 6), shown=green.grows() and not walled)

@@ -52,8 +52,8 @@ def line_with_trees(street: KerbSite, green: Greenery) -> None:
     s = kerb.path.start_m + rng.uniform(2, 8)
     while s < kerb.path.end_m - 2:
         fine = street.site.from_route_m(kerb.path.point_m(s)) < FINE_TREES_M
-        trees = green.catalogue.trees(fine)
-        tree, turn = trees[int(rng.random() * len(trees))], rng.uniform(0, 2 * np.pi)
+        far_tree = green.catalogue.trees[int(rng.random() * len(green.catalogue.trees))]
+        tree, turn = next(green.catalogue.street_trees) if fine else far_tree, rng.uniform(0, 2 * np.pi)
         street.put(tree, s, 0.65, turn, shown=green.grows())
         s += rng.uniform(13.0, 25.0) * (1.0 if kerb.lining == "houses" else 3.0)
     if kerb.lining != "houses":
@@ -73,7 +73,7 @@ def plant_garden(site: Site, lot: Lot, green: Greenery) -> None:
     _border(site, lot, 0.06, lot.width_m - 0.3, board_fence, skin, 0.1)
     _border(site, lot, depth - 0.2, lot.width_m - 0.8, lambda n: _centred(garden_wall(n, 2.6), n), skin, 0.26)
     conifers = rng.random() < 0.3
-    trees: Sequence[Thing] = catalogue.conifers if conifers else catalogue.trees(fine=False)
+    trees: Sequence[Thing] = catalogue.conifers if conifers else catalogue.trees
     beds: tuple[tuple[float, Sequence[Thing], int], ...] = (
         (1.4, catalogue.bushes, 3),
         (0.55 * depth, trees, 2),

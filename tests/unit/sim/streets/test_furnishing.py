@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from shapely.geometry import LineString, Polygon
+from shapely.geometry import LineString, Point, Polygon
 
 from sim.paint.tagged import COUNTS, paint_tagged, tagged_part
 from sim.streets.backdrop import open_views
@@ -153,6 +153,19 @@ def test_no_two_pieces_that_bear_marks_are_alike() -> None:
     tagged = [prop for prop in furnished("crossroads")[0] if prop.skin == TAGGED]
     assert len(tagged) > 5
     assert len({id(prop.mesh) for prop in tagged}) == len(tagged)
+
+
+def test_no_two_trees_seen_from_near_are_alike() -> None:
+    near_m, driven = 9.0, LineString(driven_line_m(network("bend").route, KINDS["bend"]))
+    trees = [
+        prop
+        for prop in furnished("bend")[0]
+        if prop.skin == "plants"
+        and prop.mesh.vertices_m[:, 2].max() > 4.5
+        and driven.distance(Point(prop.position_m[:2])) < near_m
+    ]
+    assert len(trees) > 4
+    assert len({id(prop.mesh) for prop in trees}) == len(trees)
 
 
 def test_every_piece_is_painted_differently() -> None:
