@@ -18,7 +18,7 @@ from sim.paint.noise import crooked_line, fractal, grain, smoothstep
 # Finer across than along: at a flat angle mipmaps blur along the road anyway, and this keeps it sharp across.
 ROAD_TEXEL_M = (0.025, 0.014)
 PAINT = (214, 213, 205)
-_GRAIN = 0.06  # deviation of a texel's brightness
+_GRAIN = 0.06  # deviation of a texel's brightness; larger texels even out more stones
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,7 +91,7 @@ def asphalt(
     _crack(road, area, right_m, left_m, rng)
     _spill(road, area, right_m, left_m, rng)
     _set_covers(road, wear, end_m - start_m, right_m, left_m, rng)
-    canvas.shade(_GRAIN * grain(rng.spawn(1)[0], shape))
+    canvas.shade(_GRAIN * ROAD_TEXEL_M[0] / texel_m[0] * grain(rng.spawn(1)[0], shape))
     return road
 
 
