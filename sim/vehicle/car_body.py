@@ -12,8 +12,9 @@ import mujoco
 import numpy as np
 
 from estimator.se3 import Array
-from sim.vehicle.car_flank import CHROME_RGBA, DOORS_M, PAINT_RGBA, TRIM_RGBA, Rgba, flank_details
+from sim.vehicle.car_flank import DOORS_M, PAINT_RGBA, TRIM_RGBA, Rgba, flank_details
 
+RIM_RGBA = (0.55, 0.55, 0.58, 1.0)
 GLASS_RGBA = (0.13, 0.15, 0.17, 1.0)  # from outside it shows the sky more than the cabin
 
 Profile = tuple[tuple[float, float, float], ...]
@@ -85,7 +86,7 @@ def write_wheel(rim: mujoco.MjsBody, wheel: str, radius_m: float) -> None:
     cylinder = mujoco.mjtGeom.mjGEOM_CYLINDER
     rim.add_geom(type=cylinder, size=[radius_m, 0.1, 0], quat=across, rgba=TRIM_RGBA, **seen)
     rim.add_geom(
-        type=cylinder, size=[0.2, 0.09, 0], pos=[0, 0.02 * outward, 0], quat=across, rgba=CHROME_RGBA, **seen
+        type=cylinder, size=[0.2, 0.09, 0], pos=[0, 0.02 * outward, 0], quat=across, rgba=RIM_RGBA, **seen
     )
     rim.add_geom(
         type=mujoco.mjtGeom.mjGEOM_BOX,

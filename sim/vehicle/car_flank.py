@@ -16,7 +16,7 @@ from estimator.se3 import Array
 Rgba = tuple[float, float, float, float]
 PAINT_RGBA: Rgba = (0.38, 0.10, 0.10, 1.0)
 TRIM_RGBA: Rgba = (0.05, 0.05, 0.06, 1.0)
-CHROME_RGBA: Rgba = (0.55, 0.55, 0.58, 1.0)
+SATIN_RGBA: Rgba = (0.28, 0.28, 0.30, 1.0)
 
 # Half width by height: of the doors, and of the windows above them.
 DOORS_M = (
@@ -58,11 +58,11 @@ def flank_details() -> Iterator[Detail]:
     """Yield what is on the left side."""
     yield Detail("sill", _strip(DOORS_M, (-0.83, 2.14), (0.285, 0.37)), TRIM_RGBA)
     yield Detail("moulding", _strip(DOORS_M, (-0.80, 2.10), (0.56, 0.60), 0.014), TRIM_RGBA)
-    yield Detail("waist", _strip(DOORS_M, (-0.82, 2.13), (0.945, 0.96), 0.006), CHROME_RGBA)
+    yield Detail("waist", _strip(DOORS_M, (-0.82, 2.13), (0.945, 0.96), 0.006), SATIN_RGBA)
     for k, x in enumerate(_SEAMS_M):
         yield Detail(f"seam_{k}", _strip(DOORS_M, (x - 0.006, x + 0.006), (0.37, 0.94)), TRIM_RGBA)
     for k, x in enumerate(_HANDLES_M):
-        yield Detail(f"handle_{k}", _handle(x), CHROME_RGBA)
+        yield Detail(f"handle_{k}", _handle(x), SATIN_RGBA)
     yield Detail("arch", _arch(0.0), TRIM_RGBA)
     yield Detail("pillar_b", _strip(WINDOWS_M, (0.80, 0.90), (0.97, 1.43)), PAINT_RGBA)
     yield Detail("pillar_c", _strip(WINDOWS_M, (-0.40, -0.30), (0.97, 1.42)), PAINT_RGBA)
