@@ -14,6 +14,13 @@ RAIL_M = 24.0  # length of the painted piece of guard rail
 BAY_M = 4.0  # between the posts of rails and walls
 BOARD_M = (3.4, 2.6)
 _TEXEL_M = (0.025, 0.02)
+# Lobes of an ivy leaf from its stalk to its tip: along it, across it.
+_IVY_LEAF = np.column_stack(
+    [
+        (-0.5, -0.7, 0.0, 0.1, 0.4, 1.1, 0.4, 0.1, 0.0, -0.7),
+        (0.0, 0.7, 0.45, 1.0, 0.4, 0.0, -0.4, -1.0, -0.45, -0.7),
+    ]
+)
 DESTINATIONS = (
     "HAFEN", "ZENTRUM", "NORDSTADT", "FLUGHAFEN", "MESSE", "ALTENAU", "SEEBURG", "WEST", "BERGHEIM",
     "RINGEN", "MARIENTAL", "OSTTOR", "STEINACH", "NEUMARKT",
@@ -78,11 +85,15 @@ def _tag(canvas: Canvas, x: float, y: float, rng: np.random.Generator) -> None:
 
 def _ivy(canvas: Canvas, x: float, height_m: float, rng: np.random.Generator) -> None:
     reach = rng.uniform(0.8, height_m)
+    turns = rng.spawn(1)[0]
     for _ in range(round(160 * reach)):
         up = rng.uniform(0, 1) ** 1.3
         at = (x + rng.normal(0, 0.7 * (1.1 - 0.6 * up)), height_m - reach * up)
         color = np.array(leaves_color("hornbeam")) * rng.uniform(0.5, 1.2)
-        canvas.ellipse(at, rng.uniform(0.03, 0.08, 2), color)
+        width, length = rng.uniform(0.03, 0.08, 2)
+        hanging = np.pi / 2 + turns.normal(0, 0.5)
+        ahead = np.array([np.cos(hanging), np.sin(hanging)])
+        canvas.fill(at + _IVY_LEAF @ [1.6 * length * ahead, 1.3 * width * ahead[::-1] * [-1, 1]], color)
 
 
 def paint_boards(routes: Sequence[tuple[str, str, int]]) -> RgbImage:
