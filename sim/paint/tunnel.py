@@ -11,6 +11,7 @@ from sim.paint.noise import crooked_line, fractal, scrawl
 PANEL_M = 2.5  # of the wall's cladding, and of the ceiling's formwork
 LAMP_EVERY_M, LAMP_M = 5.0, 1.3
 _TEXEL_M = (0.02, 0.02)
+_ROUGH = 0.04  # deviation of brightness within centimetres: pores, splashes
 
 
 def paint_lining(
@@ -39,6 +40,7 @@ def paint_lining(
         canvas.rect(0, y + 0.03, length_m, y + 0.06, (150, 152, 150))
     _stains(canvas, length_m, wall_m, width_m, rng)
     canvas.shade(0.09 * soot)
+    canvas.shade(_ROUGH * fractal(rng.spawn(1)[0], canvas.shape, canvas.cells(0.25), 4, 0.8))
     for x in np.arange(-(first_m % LAMP_EVERY_M) + LAMP_EVERY_M / 2, length_m, LAMP_EVERY_M):
         for y in lamp_rows_m(width_m):
             canvas.rect(
