@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from sim.paint.furniture_parts import PLATE_M, SIGN_M, region
+from sim.paint.furniture_parts import PLATE_M, REGIONS_M, SIGN_M, region
 from sim.paint.tagged import cabinet_parts, lacquer, tagged_part
-from sim.shapes.mesh import Mesh, box, disc, merged, quads, rect_uvs, tube
+from sim.shapes.mesh import Mesh, Rect, box, disc, merged, quads, rect_uvs, tube
 
 LAMP_HEAD_M = (1.55, 5.85)  # of a street lamp: how far before its foot, how high
 
@@ -15,13 +15,22 @@ def pole(height_m: float, radii_m: tuple[float, float] = (0.035, 0.035)) -> Mesh
     """A steel pole; its radius below and above."""
     z = np.array([-0.3, 0.5 * height_m, height_m])
     radii = np.array([radii_m[0], *radii_m])
-    return tube(np.column_stack([0 * z, 0 * z, z]), radii, 7, region("steel"))
+    return tube(np.column_stack([0 * z, 0 * z, z]), radii, 7, _along("steel", height_m, radii_m[0]))
+
+
+def _along(name: str, length_m: float, radius_m: float) -> Rect:
+    """A strip of a part as slender as what it is wound around, so that its spots are not drawn out."""
+    u0, v0, u1, v1 = region(name)
+    wide_m, tall_m = REGIONS_M[name][2:]
+    half = (u1 - u0) * min(1.0, tall_m / length_m * 2 * np.pi * radius_m / wide_m) / 2
+    return (u0 + u1) / 2 - half, v0, (u0 + u1) / 2 + half, v1
 
 
 def lamp_post(height_m: float) -> Mesh:
     """A lamp on an arm that reaches towards +x."""
     z = np.array([-0.3, 0.9, 1.0, height_m])
-    post = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.1, 0.1, 0.065, 0.05]), 8, region("steel"))
+    steel = _along("steel", height_m, 0.07)
+    post = tube(np.column_stack([0 * z, 0 * z, z]), np.array([0.1, 0.1, 0.065, 0.05]), 8, steel)
     arm_x = np.array([0.0, 0.5, 1.4])
     arm_z = height_m + np.array([-0.05, 0.25, 0.35])
     arm = tube(np.column_stack([arm_x, 0 * arm_x, arm_z]), np.array([0.04, 0.035, 0.03]), 6, region("steel"))
