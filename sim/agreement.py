@@ -40,6 +40,19 @@ def check_slope(street: StreetConfig, drive: DriveConfig) -> None:
         )
 
 
+def check_bumps(street: StreetConfig) -> None:
+    """Refuse humps where nobody builds them.
+
+    Raises:
+        ValueError: What was got and what was wanted, with the dotted path.
+    """
+    if street.kind == "motorway" and street.speed_bumps > 0:
+        raise ValueError(
+            f"street.speed_bumps: got {street.speed_bumps:g}, wanted 0 where street.kind is motorway; "
+            "street.roughness shakes the car there"
+        )
+
+
 def check_shutter(sensor: SensorConfig, drive: DriveConfig) -> None:
     """Refuse a shutter that still reads one image out when the next begins.
 

@@ -11,7 +11,7 @@ from pydantic import Field, field_validator, model_validator
 from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.se3 import SE3, Array
-from sim.agreement import check_lamps, check_length, check_shutter, check_slope
+from sim.agreement import check_bumps, check_lamps, check_length, check_shutter, check_slope
 from sim.channels.names import TruthChannel
 from sim.faults.fault import Fault
 from sim.faults.kinds import AnyFault
@@ -56,6 +56,7 @@ class WorldConfig(Config):
     def _goes_together(self) -> Self:
         check_length(self.street, self.drive)
         check_slope(self.street, self.drive)
+        check_bumps(self.street)
         check_shutter(self.sensor, self.drive)
         check_weather(self.street.kind, self.weather)
         check_lamps(self.street, self.weather, self.renderer)

@@ -205,3 +205,8 @@ def test_a_shutter_slower_than_the_images_is_refused() -> None:
         InputError, match=r"rolling_shutter_s: got 0\.05, wanted 0 to 0\.0167 where drive\.rate_hz is 60"
     ):
         load_scenario("first_drive", ["drive.rate_hz=60", "sensor.rolling_shutter_s=0.05"])
+
+
+def test_humps_on_a_motorway_are_refused() -> None:
+    with pytest.raises(InputError, match=r"street\.speed_bumps: got 3, wanted 0 where street\.kind is motorway"):
+        load_scenario("motorway", ["street.speed_bumps=3"])
