@@ -208,5 +208,5 @@ def test_a_shutter_slower_than_the_images_is_refused() -> None:
 
 
 def test_humps_on_a_motorway_are_refused() -> None:
-    with pytest.raises(InputError, match=r"street\.speed_bumps: got 3, wanted 0 where street\.kind is motorway"):
+    with pytest.raises(InputError, match=r"speed_bumps: got 3, wanted 0 where street\.kind is motorway"):
         load_scenario("motorway", ["street.speed_bumps=3"])
