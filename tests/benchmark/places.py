@@ -4,7 +4,8 @@
 SIFT matches between images that have nothing in common: of one camera at places over 30 m apart, and of
 cameras that look in opposite directions. Matches whose two points are one place of the world, by true depth,
 are no mistakes and counted apart: what closes a street is seen from all of it, and a lorry ahead comes
-along. Prints the worst pairs. Exit code 1 if one has more than ``--most`` wrong matches.
+along, and so does the car that carries the cameras. Prints the worst pairs. Exit code 1 if one has more
+than ``--most`` wrong matches.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ _RATIO = 0.8  # Lowe 2004, sec. 7.1
 _EPIPOLAR_PX = 1.5
 _SAME_PLACE_M = 1.0  # true depth is that of the matched pixel, which may lie beside the edge that was matched
 _SKY_M = 1e3
-MOVING = "traffic_"  # begins the names of what drives and walks
+ALONG = ("traffic_", "chassis")  # begin the names of what drives and walks, and of the car itself
 _OPPOSITE_COS = np.cos(np.radians(150))
 
 
@@ -87,7 +88,7 @@ def verified_matches(first: Sight, second: Sight) -> Verdict:
         names[list(indices)]
         for names, indices in zip((first.things, second.things), zip(*pairs, strict=True), strict=True)
     )
-    goes_along = np.char.startswith(here, MOVING) & (here == there_too)
+    goes_along = np.any([np.char.startswith(here, name) for name in ALONG], axis=0) & (here == there_too)
     agree, same = inliers.ravel().astype(bool), (gap_m < _SAME_PLACE_M) | goes_along
     wrong = Counter(zip(here[agree & ~same], there_too[agree & ~same], strict=True)).most_common(1)
     return Verdict(
