@@ -13,11 +13,28 @@ _GLASS, _INSIDE, _SKY = (34, 40, 46), (17, 19, 21), (146, 158, 168)
 
 
 def paint_end(
-    canvas: Canvas, at: tuple[float, float], lamp: tuple[int, int, int], rng: np.random.Generator
+    canvas: Canvas,
+    at: tuple[float, float],
+    lamp: tuple[int, int, int],
+    color: Array,
+    plates_m: tuple[float, ...],
+    rng: np.random.Generator,
 ) -> None:
-    """Bumper, lamps, grille and plate, from the upper left corner of the end on."""
+    """Bumper, lamps, grille and plate, from the upper left corner of the end on.
+
+    Args:
+        canvas: Texture of the car.
+        at: Upper left corner of the end.
+        lamp: Colour of its lamps.
+        color: Of the car.
+        plates_m: Choices for the height of the plate's upper edge, from 0.4 m above the road.
+        rng: Source of randomness.
+    """
     x0, ground = at[0], at[1] + TALL_M - 0.4
+    make = rng.spawn(1)[0]
     canvas.rect(x0, ground - 0.12, x0 + WIDE_M, ground + 0.4, _DARK)
+    if make.random() < 0.5:  # a bumper in the colour of the car over a dark apron
+        canvas.rect(x0, ground - 0.12, x0 + WIDE_M, ground + make.uniform(0.0, 0.12), color * 0.92)
     wide, tall, raised = rng.uniform(0.22, 0.42), rng.uniform(0.12, 0.26), rng.uniform(0.46, 0.56)
     for left in (0.1, WIDE_M - 0.1 - wide):
         canvas.rect(x0 + left, ground - raised, x0 + left + wide, ground - raised + tall, lamp)
@@ -25,9 +42,19 @@ def paint_end(
     low, high = rng.uniform(0.52, 0.68), rng.uniform(0.24, 0.32)
     for bar in np.linspace(ground - 0.44, ground - high, int(rng.integers(1, 5))):
         canvas.rect(x0 + low, bar, x0 + WIDE_M - low, bar + 0.05, (30, 30, 32))
-    canvas.rect(x0 + 0.66, ground - 0.14, x0 + 1.24, ground - 0.02, (236, 234, 222))
-    plate = "".join(rng.choice(list("ABCDEFHKLMNPRSTUVX"), 3)) + str(rng.integers(100, 999))
-    canvas.text(plate, x0 + 0.69, ground - 0.035, 0.08, (20, 20, 20))
+    letters = "".join(rng.choice(list("ABCDEFHKLMNPRSTUVX"), 3)) + str(rng.integers(100, 999))
+    _plate(canvas, (x0, ground - make.choice(plates_m)), letters, make)
+
+
+def _plate(canvas: Canvas, at: tuple[float, float], letters: str, rng: np.random.Generator) -> None:
+    """A plate in a dark frame, perhaps with the blue strip of a country, not always quite in the middle."""
+    x, y = at[0] + 0.66 + rng.uniform(-0.05, 0.05), at[1]
+    canvas.rect(x - 0.025, y - 0.02, x + 0.605, y + rng.uniform(0.14, 0.17), (24, 24, 26))
+    canvas.rect(x, y, x + 0.58, y + 0.12, (236, 234, 222))
+    strip = 0.05 if rng.random() < 0.6 else 0.0
+    canvas.rect(x, y, x + strip, y + 0.12, (30, 60, 150))
+    cut = int(rng.integers(1, 4))
+    canvas.text(letters[:cut] + " " + letters[cut:], x + 0.02 + strip, y + 0.1, 0.065, (20, 20, 20))
 
 
 def trim_front(canvas: Canvas, at: tuple[float, float], color: Array, rng: np.random.Generator) -> None:

@@ -62,8 +62,8 @@ def paint_car(
     _side(canvas, profile_m, belt_m, axles_m, color, rng)
     _top(canvas, profile_m, belt_m, color)
     trim = rng.spawn(1)[0]
-    for at, lamp in ((FRONT_AT_M, (240, 240, 230)), (REAR_AT_M, (176, 22, 20))):
-        paint_end(canvas, at, lamp, rng)
+    paint_end(canvas, FRONT_AT_M, (240, 240, 230), color, (0.1, 0.14, 0.2), rng)
+    paint_end(canvas, REAR_AT_M, (176, 22, 20), color, (0.1, 0.14, 0.42), rng)
     trim_front(canvas, FRONT_AT_M, color, trim)
     trim_rear(canvas, REAR_AT_M, belt_m, float(profile_m[:, 1].max()), color, trim)
     paint_wheel(canvas, rng)
