@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim.shapes.mesh import Mesh, box, disc, merged, tube
-from sim.shapes.parked_cars import KINDS, CarKind, car, outline_m, varied
+from sim.shapes.parked_cars import KINDS, CarKind, car_mesh, car_skin, outline_m, varied
 from sim.streets.footprint import Ground, gap_m, rectangle_m
 
 
@@ -41,7 +41,7 @@ def test_a_wall_of_a_box_reads_from_left_to_right() -> None:
 
 @pytest.mark.parametrize("kind", sorted(set(KINDS), key=repr))
 def test_a_parked_car_looks_outwards_on_its_wheels(kind: CarKind) -> None:
-    mesh, _ = car(kind, np.random.default_rng(0))
+    mesh = car_mesh(kind)
     assert outward_share(mesh, np.array([0.0, 0.0, 0.5])) > 0.75  # the inner walls of tyres look inwards
     lowest, highest = mesh.vertices_m.min(axis=0), mesh.vertices_m.max(axis=0)
     length, width = outline_m(kind)
@@ -53,7 +53,7 @@ def test_makes_of_a_kind_differ_but_fit_their_bay() -> None:
     made = [varied(kind, np.random.default_rng(k)) for k, kind in enumerate(KINDS * 4)]
     assert len({make.profile_m for make in made}) == len(made)
     assert max(outline_m(make)[0] for make in made) < 4.8
-    images = {car(make, np.random.default_rng(k))[1].image.tobytes() for k, make in enumerate(made)}
+    images = {car_skin(make, np.random.default_rng(k)).image.tobytes() for k, make in enumerate(made)}
     assert len(images) == len(made)
 
 
