@@ -25,6 +25,10 @@ names = st.text("abcdefghijklmnopqrstuvwxyz_0123456789-é", min_size=1, max_size
 )
 
 
+across_road = st.tuples(st.floats(-5, 5), st.floats(-5, 5))
+height_m = st.floats(1e-3, 5)
+
+
 @st.composite
 def mounted_cameras(draw: st.DrawFn) -> MountedCamera:
     model: CameraModel = draw(st.sampled_from(list(COEFFICIENT_COUNT)))
@@ -42,7 +46,11 @@ def mounted_cameras(draw: st.DrawFn) -> MountedCamera:
 def rigs(draw: st.DrawFn) -> Rig:
     cameras = draw(st.dictionaries(names, mounted_cameras(), min_size=1, max_size=4))
     prior = RigPrior(draw(st.floats(1e-3, 90)), draw(st.floats(1e-3, 1e4)))
-    return Rig(draw(st.sampled_from(list(cameras))), cameras, prior)
+    reference = draw(st.sampled_from(list(cameras)))
+    # The reader wants the reference above the road, since its height gives the scale.
+    raised = SE3(cameras[reference].ego_from_cam.rotation, np.array([*draw(across_road), draw(height_m)]))
+    cameras[reference] = MountedCamera(cameras[reference].camera, raised)
+    return Rig(reference, cameras, prior)
 
 
 def read_text(text: str) -> Rig:
