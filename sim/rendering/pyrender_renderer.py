@@ -6,19 +6,19 @@ its own. Works beside a MuJoCo context in one process.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Mapping
 
 import mujoco
 import numpy as np
 import pyrender
 from OpenGL import EGL, GL
 from pyrender.constants import RenderFlags
-from pyrender.renderer import Renderer as Pipeline
 
-from estimator.se3 import SE3, Array
+from estimator.se3 import SE3
 from sim.rendering.closing import Closing
 from sim.rendering.culling import in_view
+from sim.rendering.pyrender_pipeline import OrderedPipeline
+from sim.rendering.pyrender_programs import LightCounts
 from sim.rendering.pyrender_scene import PyrenderScene
 from sim.rendering.quality import sampling_of
 from sim.rendering.sky_texture import sky_color, skybox_of
@@ -40,7 +40,8 @@ class PyrenderRenderer(Closing):
         self._world = PyrenderScene(model, sampling.shadow_map_px)
         width, height = int(model.vis.global_.offwidth), int(model.vis.global_.offheight)
         self._canvas = pyrender.OffscreenRenderer(width, height)
-        self._pipeline = _OrderedPipeline(width, height, sampling.multisamples, sampling.shadow_map_px)
+        lights = LightCounts.of(self._world.scene.light_nodes)
+        self._pipeline = OrderedPipeline(width, height, sampling.multisamples, sampling.shadow_map_px, lights)
         self._canvas._renderer = self._pipeline
         GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)  # rows of textures follow each other without a gap
 
@@ -56,6 +57,7 @@ class PyrenderRenderer(Closing):
     def _picture(self, data: mujoco.MjData, view: View, depth: bool) -> Picture:
         seen = in_view(self._model, data, view.pinhole, view.world_from_cam)
         self._pipeline.in_view = [node for geom, node in self._world.geom_nodes.items() if seen[geom]]
+        self._pipeline.read_depth = depth
         self._aim(view)
         self._canvas.viewport_width, self._canvas.viewport_height = view.pinhole.size_px
         rgba, depth_m = self._canvas.render(self._world.scene, self._flags)
@@ -98,54 +100,3 @@ class PyrenderRenderer(Closing):
         EGL.eglDestroyContext(platform._egl_display, platform._egl_context)
         platform._egl_context = platform._egl_display = None
         self._canvas._platform = self._canvas._renderer = None
-
-
-class _OrderedPipeline(Pipeline):  # type: ignore[misc]
-    """pyrender's passes, but nodes in a fixed order, culled, and shadows once for all views of an instant.
-
-    Attributes:
-        everything: Nodes that cast shadows.
-        in_view: Nodes that the next picture shows.
-        redraw_shadows: Whether the next picture draws the shadow map first.
-    """
-
-    def __init__(self, width: int, height: int, multisamples: int, shadow_map_px: int) -> None:
-        super().__init__(width, height)
-        self._multisamples, self._shadow_map_px = multisamples, shadow_map_px
-        self.everything: Sequence[Any] = ()
-        self.in_view: Sequence[Any] = ()
-        self.redraw_shadows = True
-        self._casting = False
-
-    def _shadow_mapping_pass(self, scene: Any, light_node: Any, flags: int) -> None:
-        if self.redraw_shadows:
-            self._casting = True
-            super()._shadow_mapping_pass(scene, light_node, flags)
-            self._casting = self.redraw_shadows = False
-
-    def _sorted_mesh_nodes(self, scene: Any) -> list[Any]:
-        nodes = self.everything if self._casting else self.in_view
-        return sorted(nodes, key=lambda node: node.mesh.is_transparent)  # stable: the order of the model
-
-    def _get_light_cam_matrices(self, scene: Any, light_node: Any, flags: int) -> tuple[Array, Array]:
-        """Look from where the light's node stands, not from the edge of the whole scene."""
-        camera = light_node.light._get_shadow_camera(0.0)
-        return np.linalg.inv(light_node.matrix), camera.get_projection_matrix()
-
-    def _configure_shadow_mapping_viewport(self, light: Any, flags: int) -> None:
-        super()._configure_shadow_mapping_viewport(light, flags)
-        GL.glViewport(0, 0, self._shadow_map_px, self._shadow_map_px)
-
-    def _configure_main_framebuffer(self) -> None:
-        is_new = self._main_fb is None or self._main_fb_dims != (self.viewport_width, self.viewport_height)
-        super()._configure_main_framebuffer()
-        if is_new:
-            samples = min(self._multisamples, int(GL.glGetIntegerv(GL.GL_MAX_SAMPLES)))
-            for buffer, kind in (
-                (self._main_cb_ms, GL.GL_RGBA),
-                (self._main_db_ms, GL.GL_DEPTH_COMPONENT24),
-            ):
-                GL.glBindRenderbuffer(GL.GL_RENDERBUFFER, buffer)
-                GL.glRenderbufferStorageMultisample(
-                    GL.GL_RENDERBUFFER, samples, kind, self.viewport_width, self.viewport_height
-                )

@@ -73,7 +73,7 @@ def test_seven_images_a_bundle(
         f"\n{name:<10}{quality:<10}{ours_s:7.2f} CPU s a bundle, {1 / ours_s:5.2f} bundles a CPU second, "
         f"{times_bare:5.2f} times the bare loop's {bare_s:.2f}"
     )
-    if name == "classic":
+    if name == "classic" or (name == "pyrender" and quality != "draft"):
         assert times_bare < MOST_TIMES_BARE
 
 
