@@ -18,6 +18,7 @@ _DISTORTIONS: dict[CameraModel, tuple[float, ...]] = {
     "kannala_brandt": (-0.012, 0.004, -0.002, 0.0003),
 }
 _WIDEST_DEG: dict[CameraModel, float] = {"pinhole": 60.0, "brown_conrady": 52.0, "kannala_brandt": 100.0}
+_LONGEST_SIDE_PX, _MOST_PIXELS = 8192, 20_000_000
 
 
 def with_lenses(rig: Rig, model: CameraModel) -> Rig:
@@ -30,12 +31,18 @@ def with_lenses(rig: Rig, model: CameraModel) -> Rig:
 
 
 def check_lenses(rig: Rig) -> None:
-    """See that every lens can be simulated.
+    """See that every lens and image can be simulated.
 
     Raises:
-        InputError: One folds over inside its image.
+        InputError: A lens folds over inside its image, or an image is too large to be drawn.
     """
     for name, mounted in rig.cameras.items():
+        width, height = mounted.camera.size_px
+        if max(width, height) > _LONGEST_SIDE_PX or width * height > _MOST_PIXELS:
+            raise InputError(
+                f"cameras.{name}.size_px: got [{width}, {height}], wanted at most {_LONGEST_SIDE_PX} a side and "
+                f"{_MOST_PIXELS / 1e6:g} million pixels: larger images do not fit the renderers"
+            )
         try:
             check_lens(mounted.camera)
         except InputError as error:

@@ -52,3 +52,12 @@ def test_a_lens_that_folds_over_is_refused_by_name() -> None:
     folding = Camera("kannala_brandt", (320, 200), (100.0, 100.0), (160.0, 100.0), (-0.15, 0.0, 0.0, 0.0))
     with pytest.raises(InputError, match=r"cameras\.front: got a kannala_brandt lens that folds over"):
         check_lenses(Rig("front", {"front": MountedCamera(folding, SE3())}))
+
+
+@pytest.mark.parametrize("size_px", [(40_000, 40), (8000, 8000)])
+def test_an_image_too_large_for_memory_is_refused_by_name(size_px: tuple[int, int]) -> None:
+    large = Camera("pinhole", size_px, (9e3, 9e3), (size_px[0] / 2, size_px[1] / 2), ())
+    with pytest.raises(
+        InputError, match=r"cameras\.front\.size_px: got \[\d+, \d+\], wanted at most 8192 a side"
+    ):
+        check_lenses(Rig("front", {"front": MountedCamera(large, SE3())}))
