@@ -40,8 +40,8 @@ def check_lenses(rig: Rig) -> None:
         width, height = mounted.camera.size_px
         if max(width, height) > _LONGEST_SIDE_PX or width * height > _MOST_PIXELS:
             raise InputError(
-                f"cameras.{name}.size_px: got [{width}, {height}], wanted at most {_LONGEST_SIDE_PX} a side and "
-                f"{_MOST_PIXELS / 1e6:g} million pixels: larger images do not fit the renderers"
+                f"cameras.{name}.size_px: got [{width}, {height}], wanted at most {_LONGEST_SIDE_PX} a side "
+                f"and {_MOST_PIXELS / 1e6:g} million pixels: larger images do not fit the renderers"
             )
         try:
             check_lens(mounted.camera)
