@@ -14,7 +14,7 @@ from estimator.se3 import Array
 from sim.paint.plants import leaves
 from sim.shapes.mesh import Mesh, Rect, merged
 
-_INNER_SHARE, _INNER_LEAF = 0.3, 1.5  # of the twigs; how much longer their leaves are
+_INNER_SHARE, _INNER_LEAF = 0.25, 1.9  # of the twigs; how much longer their leaves are
 _INNER_DEPTH, _OUTER_DEPTH = (0.0, 0.3, 0.7), (0.4, 0.85, 1.25)  # in radii of a cluster
 _FAN_RAD = np.array([-0.85, 0.0, 0.85])  # how the leaves of a twig spread
 _HALF_WIDTH = 0.3  # of a leaf, as a share of its length

@@ -47,8 +47,8 @@ SPECIES = (
     Species("copper", 0, (5.0, 7.0), 0.3, 0.34, 0.6, 30, 0.34, 0.2),
 )
 SPRUCE = Species("spruce", 0, (4.5, 8.0), 0.22, 0.06, -0.12, 38, 0.3, 1.0)
-FINE_TWIGS, COARSE_TWIGS = 860, 250
-_FINE_LEAF_M, _COARSE_LEAF_M = (0.18, 0.32), (0.3, 0.52)
+FINE_TWIGS, COARSE_TWIGS = 1900, 350
+_FINE_LEAF_M, _COARSE_LEAF_M = (0.11, 0.2), (0.24, 0.44)
 
 
 def tree_mesh(species: Species, fine: bool, rng: np.random.Generator) -> Mesh:
@@ -56,7 +56,7 @@ def tree_mesh(species: Species, fine: bool, rng: np.random.Generator) -> Mesh:
 
     Args:
         species: Its habit.
-        fine: With leaves of natural size, for trees that a camera passes closely; else fewer and larger ones.
+        fine: With leaves as small as a plane's, for trees that a camera passes closely; else fewer, larger.
         rng: Source of randomness.
     """
     height = float(rng.uniform(*species.height_m))
