@@ -18,7 +18,6 @@ from scenarios.load import load_scenario
 from sim.recorder import record
 from tests.scenarios.first_bundles import shrunk
 
-_BUNDLES_A_MINUTE = 60
 _MOST_GROWTH = 1.1
 
 
@@ -32,13 +31,14 @@ def main() -> int:
     distance_m = speed_mps * 60 * arguments.minutes
     settings = ["drive.rate_hz=1", f"drive.distance_m={distance_m}", *arguments.settings]
     scenario = shrunk(load_scenario(arguments.scenario, settings))
+    a_minute = round(60 * scenario.world.drive.rate_hz)
     process = psutil.Process()
     sizes_mb: list[float] = []
 
     def measure(done: int, total: int) -> None:
-        if done % _BUNDLES_A_MINUTE == 0:
+        if done % a_minute == 0:
             sizes_mb.append(process.memory_info().rss / 1e6)
-            print(f"minute {done // _BUNDLES_A_MINUTE:>3}: {sizes_mb[-1]:7.0f} MB", flush=True)
+            print(f"minute {done // a_minute:>3}: {sizes_mb[-1]:7.0f} MB", flush=True)
 
     with tempfile.TemporaryDirectory() as folder:
         record(scenario.world, scenario.rig, 0, Path(folder) / "bag", measure)
