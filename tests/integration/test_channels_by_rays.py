@@ -98,7 +98,7 @@ def test_visibility_is_the_share_that_rays_from_the_other_camera_reach(world: Wo
     compared = []
     for name, sight in world.now.sights.items():
         width, height = sight.camera.size_px
-        rows, columns = np.mgrid[2:height:16, 2:width:16]
+        rows, columns = np.mgrid[2:height:8, 2:width:8]  # every 16th alone is off by 0.01 by chance
         chosen = (rows * width + columns).ravel()
         origin_m, rays_world = sight.world_from_cam.translation, places(sight, chosen)[1]
         geoms, ranges_m = world.cast(0, origin_m, rays_world)
