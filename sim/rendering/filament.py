@@ -45,6 +45,7 @@ class FilamentRenderer(Closing):
             self._scene.configure_from_model(colored)
             self._lights = FilamentLights(mjrf, self._context, self._scene, model, self._shadow_map_px)
             self._renderables = mjrf.ModelRenderables(self._scene, resources)
+            self._put_in_order(model.ngeom)
             self._targets: dict[tuple[int, int, bool], tuple[Any, Any, Any]] = {}
 
     @property
@@ -60,6 +61,21 @@ class FilamentRenderer(Closing):
             name: Picture(self._rgb(view), self._depth_m(view) if depth else None)
             for name, view in views.items()
         }
+
+    def _put_in_order(self, geom_count: int) -> None:
+        """Add every geom to the scene again, in turn, each with its material's instance made anew.
+
+        The order in which they come first differs from context to context, and where roofs go through each
+        other and tie in depth, it decides what is seen: a handful of pixels, by a few levels.
+        """
+        geom = mujoco.mjtObj.mjOBJ_GEOM
+        drawn = [self._renderables.get_renderable(geom, number) for number in range(geom_count)]
+        drawn = [renderable for renderable in drawn if renderable is not None]
+        for renderable in drawn:
+            self._scene.remove_renderable(renderable)
+        for renderable in drawn:
+            self._scene.add_renderable(renderable)
+            renderable.set_material(renderable.get_material())
 
     def _rgb(self, view: View) -> RgbImage:
         finer = self._sampling.supersamples

@@ -35,7 +35,18 @@ BASE = (
     "inertial={}",
     "weather={sun_elevation_deg: 12, sun_azimuth_deg: 10}",  # in sight of the front camera
 )
-ELSEWHERE = {"weather.tunnel": ("street.kind=tunnel", "street.length_m=50")}  # knobs that need another street
+ELSEWHERE = {  # where a knob tells that would not on the base's street
+    "weather.tunnel": ("street.kind=tunnel", "street.length_m=50"),
+    "drive.grip": ("drive.profile=hard_braking", "drive.rate_hz=1"),
+    "drive.lateral_mps2": (
+        "street.kind=t_junction",
+        "street.length_m=60",
+        "drive.distance_m=45",
+        "drive.speed_mps=12",
+        "drive.rate_hz=1",
+    ),
+    "sensor.exposure": ("weather.night=3",),
+}
 COUNT = 2
 _SAME = 1e-9  # m and rad: rounding on the way through the world's frame
 SEEN = {"images"}
@@ -52,13 +63,13 @@ KNOBS: dict[str, tuple[str, set[str], set[str]]] = {
     "street.traffic.cars": ("4", SEEN, {"scenery"}),
     "street.traffic.cyclists": ("4", SEEN, {"scenery"}),
     "street.traffic.pedestrians": ("4", SEEN, {"scenery"}),
-    "drive.speed_mps": ("7", {"path", "images", "samples"}, set()),
-    "drive.distance_m": ("4", set(), set()),
-    "drive.rate_hz": ("20", {"stamps"}, {"path", "images", "samples"}),
-    "drive.profile": ("pull_away", {"path", "images", "samples"}, set()),
+    "drive.speed_mps": ("7", {"path", "images", "samples", "length"}, set()),
+    "drive.distance_m": ("4", {"length"}, set()),
+    "drive.rate_hz": ("20", {"stamps", "length"}, {"path", "images", "samples"}),
+    "drive.profile": ("pull_away", {"path", "images", "samples", "length"}, set()),
     "drive.reverse": ("true", {"path", "images", "samples"}, set()),
-    "drive.grip": ("0.3", set(), {"path", "samples", "images"}),  # tells in bends and when braking
-    "drive.lateral_mps2": ("0.2", set(), {"path", "images", "samples"}),
+    "drive.grip": ("0.3", {"path", "samples", "images"}, {"length"}),
+    "drive.lateral_mps2": ("0.2", {"path", "images", "samples", "length"}, set()),
     "miscalibration.rotation_deg": ("1", {"mounting", "images"}, set()),
     "miscalibration.translation_mm": ("10", {"mounting", "images"}, set()),
     "miscalibration.events": (
@@ -83,7 +94,7 @@ KNOBS: dict[str, tuple[str, set[str], set[str]]] = {
             "rolling_shutter_s": "0.03",
         }.items()
     },
-    "sensor.exposure": ("fixed", set(), SEEN),  # in light that stays the same both may agree
+    "sensor.exposure": ("fixed", SEEN, set()),
     "sensor.lens": ("brown_conrady", SEEN, set()),
     "inertial.rate_hz": ("100", {"samples"}, set()),
     "inertial.noise": ("4", {"samples"}, set()),
@@ -91,7 +102,7 @@ KNOBS: dict[str, tuple[str, set[str], set[str]]] = {
     "faults": ("[{kind: black, camera: rear}]", SEEN, set()),
     "renderer": ("pyrender", SEEN, set()),
     "quality": ("draft", SEEN, set()),
-    "truth": ("[depth]", set(), set()),
+    "truth": ("[depth]", {"channels"}, set()),
 }
 
 
@@ -134,6 +145,8 @@ def aspects(*settings: str) -> Aspects:
         "images": {(f.stamp_ns, f.camera): f.image for s in snapshots for f in s.frames},
         "stamps": {f.stamp_ns: f.arrival_ns for s in snapshots for f in s.frames},
         "samples": {s.truth.stamp_ns: repr(s.samples) for s in snapshots},
+        "channels": {s.truth.stamp_ns: s.channels is None for s in snapshots},
+        "length": {"bundles": snapshots[0].bundle_count},
     }
 
 
