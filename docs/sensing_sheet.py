@@ -1,6 +1,6 @@
 """Draw ``pictures/sensing.jpg``: what each effect of lens, shutter and sensor does, by severity.
 
-PYTHONPATH=. python docs/sensing_sheet.py
+``python -m docs.sensing_sheet`` writes it.
 """
 
 from __future__ import annotations
