@@ -158,7 +158,15 @@ def test_ctrl_c_in_a_sweep_stops_its_workers(house: Path, tiny: str, tmp_path: P
 
 def _interrupt(arguments: tuple[str, ...], folder: Path, when: str) -> int:
     """Start a command, send it Ctrl-C at a line of its standard error, and return its exit code."""
-    with subprocess.Popen((*RIGTRUE, *arguments), cwd=folder, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(
+        (*RIGTRUE, *arguments),
+        cwd=folder,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(
+            signal.SIGINT, signal.SIG_DFL
+        ),  # a shell's background job ignores it
+    ) as process:
         assert process.stderr is not None
         lines = []
         for line in process.stderr:
