@@ -34,7 +34,9 @@ class FrontEnd:
         self.trackers = {name: Tracker(m.camera, config.tracker) for name, m in rig.cameras.items()}
         self._bundle: FrameBundle | None = None
         self._last_images: dict[str, Image] = {}
+        self._seen_from: dict[str, SE3] = {}  # where the car was at each camera's last image
         self._started_with = 0
+        self.known = False
 
     @property
     def metric(self) -> bool:
@@ -43,28 +45,32 @@ class FrontEnd:
 
     def advance(self, bundle: FrameBundle, stopwatch: Stopwatch) -> bool:
         """Follow all tracks into a bundle; say whether this is a new start: the place motion counts from."""
-        before = self.odometry.world_from_ego
         self._bundle = self._without_repeats(bundle)
         with stopwatch.stage("track"):
-            self._follow(self.rig.reference, before, self.odometry.predicted_world_from_ego)
+            self._follow(self.rig.reference, self.odometry.predicted_world_from_ego)
         with stopwatch.stage("motion"):
-            known = self.odometry.advance(self.trackers[self.rig.reference])
+            self.known = self.odometry.advance(self.trackers[self.rig.reference])
         with stopwatch.stage("track"):
             for name in self.rig.estimated_names:
-                self._follow(name, before, self.odometry.world_from_ego)
+                self._follow(name, self.odometry.world_from_ego)
+        self._seen_from |= dict.fromkeys(self._bundle.images, self.odometry.world_from_ego)
         with stopwatch.stage("detect"):
-            return self._renew(known)
+            return self._renew()
 
     def keyframe(self) -> Keyframe:
         """Return the newest bundle as a keyframe."""
         assert self._bundle is not None, "advance comes first"
-        tracks = {name: (t.ids.copy(), t.pixels.copy()) for name, t in self.trackers.items()}
+        current = {name: t for name, t in self.trackers.items() if t.current}
+        tracks = {name: (t.ids.copy(), t.pixels.copy()) for name, t in current.items()}
         images = dict(self._bundle.images)
         return Keyframe(self._bundle.stamp_ns, images, self.odometry.world_from_ego, tracks)
 
     def live_tracks_px(self) -> dict[str, Array]:
         """Return by camera (N, 4) previous and present pixels."""
-        return {name: np.hstack([t.previous_pixels, t.pixels]) for name, t in self.trackers.items()}
+        return {
+            name: np.hstack([t.previous_pixels, t.pixels]) if t.current else np.zeros((0, 4))
+            for name, t in self.trackers.items()
+        }
 
     def correct(self, rig: Rig, new_from_old: SE3, scale: float) -> None:
         """Take over better extrinsics and a better place for the newest keyframe."""
@@ -73,6 +79,7 @@ class FrontEnd:
         origin = (pose @ reference).translation
         for tracker in self.trackers.values():
             tracker.move_world(new_from_old, scale, origin)
+        self._seen_from = {name: new_from_old @ old for name, old in self._seen_from.items()}
         self.odometry.correct(new_from_old @ pose, scale)
         self.rig = rig
 
@@ -92,7 +99,7 @@ class FrontEnd:
         images = {name: image for name, image in bundle.images.items() if name not in repeats}
         return FrameBundle(bundle.stamp_ns, images)
 
-    def _follow(self, name: str, world_from_ego_before: SE3, world_from_ego: SE3) -> None:
+    def _follow(self, name: str, world_from_ego: SE3) -> None:
         assert self._bundle is not None
         tracker = self.trackers[name]
         image: Image | None = self._bundle.images.get(name)
@@ -100,27 +107,35 @@ class FrontEnd:
             tracker.miss()
             return
         ego_from_cam = self.rig[name].ego_from_cam
-        guess = tracker.predict(world_from_ego_before @ ego_from_cam, world_from_ego @ ego_from_cam)
+        before = self._seen_from.get(name, world_from_ego)
+        guess = tracker.predict(before @ ego_from_cam, world_from_ego @ ego_from_cam)
         tracker.advance(image, guess)
 
-    def _renew(self, known: bool) -> bool:
-        """Place points, drop old tracks and start new ones; before the motion is known, only at a start."""
-        if not known and self.odometry.lost_count > self.config.lost_after:
+    def _renew(self) -> bool:
+        """Place points, drop old tracks and start new ones; before the motion is known, only at a start.
+
+        Tracks that wait for an image are left alone, and all are while the pose is a guess.
+        """
+        if not self.known and self.odometry.lost_count > self.config.lost_after:
             self.odometry.restart()
         starting = not self.metric and self._must_start()
         for name, tracker in self.trackers.items():
-            world_from_cam = self.odometry.world_from_ego @ self.rig[name].ego_from_cam
-            if self.metric:
-                tracker.locate(world_from_cam)
-                tracker.retire(world_from_cam)
-            if starting:
-                tracker.reanchor()
-            if self.metric or starting:
-                tracker.replenish()
-                tracker.anchor(world_from_cam)
+            if starting and not tracker.current:
+                tracker.forget()
+            elif starting or (self.known and tracker.current):
+                self._renew_one(tracker, self.odometry.world_from_ego @ self.rig[name].ego_from_cam, starting)
         if starting:
             self._started_with = len(self.trackers[self.rig.reference].ids)
         return starting
+
+    def _renew_one(self, tracker: Tracker, world_from_cam: SE3, starting: bool) -> None:
+        if starting:
+            tracker.reanchor()
+        else:
+            tracker.locate(world_from_cam)
+            tracker.retire(world_from_cam)
+        tracker.replenish()
+        tracker.anchor(world_from_cam)
 
     def _must_start(self) -> bool:
         left = len(self.trackers[self.rig.reference].ids)

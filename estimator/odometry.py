@@ -33,6 +33,8 @@ class Odometry:
         self.config = config
         self.world_from_ego = SE3()
         self._last_step = SE3()
+        self._known = SE3()  # the last pose that was measured, and how many bundles ago that was
+        self._bundles_since = 0
         self.metric = False
         self.lost_count = 0
 
@@ -53,9 +55,17 @@ class Odometry:
         return float(np.linalg.norm(self._last_step.translation))
 
     def advance(self, tracker: Tracker) -> bool:
-        """Take the reference camera's tracks in a new image; say whether the pose is known."""
+        """Take the reference camera's tracks in a new image; say whether the pose is known.
+
+        Where the image is missing and the tracks wait for the next one, the car is taken to go on as before.
+        """
+        waiting = not tracker.current and len(tracker.ids) > 0
         if not self.metric:
-            return self._start(tracker)
+            return not waiting and self._start(tracker)
+        self._bundles_since += 1
+        if waiting:
+            self.world_from_ego = self.predicted_world_from_ego
+            return False
         known = np.isfinite(tracker.points_world).all(1)
         pose = None
         if known.sum() >= self.config.min_points // 3:
@@ -64,14 +74,18 @@ class Odometry:
             self.lost_count += 1
             self.world_from_ego = self.predicted_world_from_ego
             return False
-        self._last_step = self.world_from_ego.inverse() @ pose
-        self.world_from_ego = pose
+        self._last_step = SE3.exp((self._known.inverse() @ pose).log() / self._bundles_since)
+        self._note(pose)
         self.lost_count = 0
         return True
 
+    def _note(self, pose: SE3) -> None:
+        self.world_from_ego = self._known = pose
+        self._bundles_since = 0
+
     def correct(self, world_from_ego: SE3, step_scale: float) -> None:
-        """Take over a pose that a window found better, and its scale."""
-        self.world_from_ego = world_from_ego
+        """Take over a pose of the newest bundle that a window found better, and its scale."""
+        self._note(world_from_ego)
         self._last_step = SE3(self._last_step.rotation, self._last_step.translation * step_scale)
 
     def _fit(self, rays_cam: Array, points_world: Array) -> SE3 | None:
@@ -125,7 +139,7 @@ class Odometry:
         first_from_last = SE3(first_from_last.rotation, first_from_last.translation * scale)
         ego_from_cam = self.mounted.ego_from_cam
         step = ego_from_cam @ first_from_last @ ego_from_cam.inverse()
-        self.world_from_ego = self.world_from_ego @ step
+        self._note(self.world_from_ego @ step)
         self._last_step = SE3()
         self.metric = True
         tracker.locate(self.world_from_ego @ ego_from_cam)

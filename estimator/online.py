@@ -58,10 +58,9 @@ class OnlineEstimator:
             self._keyframes = [self._front_end.keyframe()]
             self._path.begin(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
         elif self._front_end.metric:
-            self._path.append(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
-        if self._front_end.metric and is_keyframe(
-            self._keyframes, self._front_end.odometry, self.config.pace
-        ):
+            here = self._front_end.odometry.world_from_ego
+            self._path.append(bundle.stamp_ns, here, self._front_end.known)
+        if self._front_end.known and is_keyframe(self._keyframes, self._front_end.odometry, self.config.pace):
             self._keyframes.append(self._front_end.keyframe())
         matches: tuple[Match, ...] = ()
         if len(self._keyframes) >= self._window_length():

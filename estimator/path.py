@@ -16,6 +16,7 @@ class Path:
         self._stamps_ns: list[int] = []
         self._world_from_egos: list[SE3] = []
         self._begun = False
+        self._guessed = 0  # bundles at the end whose pose nobody measured
 
     def begin(self, stamp_ns: int, world_from_ego: SE3) -> None:
         """Add the place that motion counts from; if none came of the last such place, forget that one."""
@@ -24,10 +25,25 @@ class Path:
         self.append(stamp_ns, world_from_ego)
         self._begun = True
 
-    def append(self, stamp_ns: int, world_from_ego: SE3) -> None:
+    def append(self, stamp_ns: int, world_from_ego: SE3, measured: bool = True) -> None:
+        """Add a bundle; where the ones before it were guessed, put them evenly on the way here."""
         self._begun = False
         self._stamps_ns.append(stamp_ns)
         self._world_from_egos.append(world_from_ego)
+        if not measured:
+            self._guessed += 1
+            return
+        last = len(self._stamps_ns) - 1
+        first = last - self._guessed - 1
+        self._guessed = 0
+        for row in range(first + 1, last):
+            start = self._world_from_egos[first]
+            change = self._share(first, row, last) * start.local(world_from_ego)
+            self._world_from_egos[row] = start.retract(change)
+
+    def _share(self, first: int, row: int, last: int) -> float:
+        span_ns = self._stamps_ns[last] - self._stamps_ns[first]
+        return (self._stamps_ns[row] - self._stamps_ns[first]) / span_ns
 
     def correct(self, keyframe_stamps_ns: Sequence[int], world_from_egos: Sequence[SE3]) -> None:
         """Put keyframes where a window found them.
@@ -42,9 +58,8 @@ class Path:
         ]
         for (first, last), (before, after) in zip(pairwise(rows), pairwise(world_from_old), strict=True):
             change = before.local(after)
-            span_ns = self._stamps_ns[last] - self._stamps_ns[first]
             for row in range(first, last):
-                share = (self._stamps_ns[row] - self._stamps_ns[first]) / span_ns
+                share = self._share(first, row, last)
                 self._world_from_egos[row] = before.retract(share * change) @ self._world_from_egos[row]
         for row in range(rows[-1], len(self._stamps_ns)):
             self._world_from_egos[row] = world_from_old[-1] @ self._world_from_egos[row]

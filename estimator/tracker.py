@@ -25,7 +25,10 @@ def _ahead(rays_cam: Array) -> npt.NDArray[np.bool_]:
 
 
 class TrackerConfig(Config):
-    """Settings of one camera's tracker; long tracks drift and are given up after ``max_travel_m``."""
+    """Settings of one camera's tracker; long tracks drift and are given up after ``max_travel_m``.
+
+    Tracks wait for a camera that misses up to ``bridged_images`` in a row.
+    """
 
     detect: DetectConfig = DetectConfig()
     flow: FlowConfig = FlowConfig()
@@ -33,6 +36,7 @@ class TrackerConfig(Config):
     max_travel_m: float = 12.0
     min_parallax_rad: float = 0.012
     static_px: float = 0.4
+    bridged_images: int = 4
 
 
 class Tracker:
@@ -81,10 +85,20 @@ class Tracker:
         self.image = image
         self.missed_count = 0
 
+    @property
+    def current(self) -> bool:
+        """Whether the tracks stand where the newest bundle shows them."""
+        return self.missed_count == 0
+
     def miss(self) -> None:
-        """Forget everything: the camera gave no image."""
-        self.image = None
+        """Let the tracks wait: the camera gave no image; forget them if that goes on."""
         self.missed_count += 1
+        if self.missed_count > self.config.bridged_images:
+            self.forget()
+
+    def forget(self) -> None:
+        """Drop image and tracks."""
+        self.image = None
         self._allocate(0)
 
     def replenish(self) -> None:

@@ -46,3 +46,12 @@ def test_a_camera_that_wakes_up_is_seen_again() -> None:
     front = front_end(0.5)
     missed(front, "rear")
     assert missed(front, "none", bundles=1)["rear"] == 0
+
+
+def test_tracks_that_wait_are_neither_shown_nor_kept_in_a_keyframe() -> None:
+    front = front_end(0.5)
+    missed(front, "none", bundles=2)
+    images = {name: image for name, image in front.keyframe().images.items() if name != "rear"}
+    front.advance(FrameBundle(2, images), Stopwatch())
+    assert len(front.trackers["rear"].ids) > 0
+    assert len(front.live_tracks_px()["rear"]) == 0 and "rear" not in front.keyframe().tracks

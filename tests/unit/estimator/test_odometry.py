@@ -94,10 +94,24 @@ def test_without_tracks_it_goes_on_as_before_and_counts() -> None:
     drive = Drive(left_side_rig()["front"])
     for pose in PATH[1:5]:
         drive.advance(pose)
-    drive.tracker.miss()
+    drive.tracker.forget()
     assert not drive.odometry.advance(drive.tracker)
     assert drive.odometry.lost_count == 1
     assert error(drive.odometry, PATH[5])[3:].max() < 0.05
+
+
+def test_while_tracks_wait_for_an_image_the_car_goes_on_as_before() -> None:
+    drive = Drive(left_side_rig()["front"])
+    for pose in PATH[1:4]:
+        drive.advance(pose)
+    drive.tracker.missed_count = 1
+    for pose in PATH[4:6]:
+        assert not drive.odometry.advance(drive.tracker)
+        assert error(drive.odometry, pose)[3:].max() < 0.1
+    assert drive.odometry.metric and drive.odometry.lost_count == 0
+    drive.tracker.missed_count = 0
+    assert drive.advance(PATH[6])
+    assert abs(drive.odometry.step_m - 0.6) < 0.01, "three bundles' way is not one step"
 
 
 def test_a_correction_moves_the_pose_and_stretches_the_step() -> None:

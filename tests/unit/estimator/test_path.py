@@ -32,6 +32,17 @@ def test_a_start_from_which_no_motion_was_found_is_forgotten() -> None:
     assert [stamp_ns for stamp_ns, _ in path.poses()] == [3, 4, 9]
 
 
+def test_guessed_bundles_lie_evenly_on_the_way_between_measured_ones() -> None:
+    path = path_of(OLD[:2])
+    for stamp_ns in (2, 3, 4):
+        path.append(stamp_ns, OLD[stamp_ns] @ SHIFT, measured=False)
+    assert_same(dict(path.poses())[4], OLD[4] @ SHIFT)
+    path.append(5, OLD[5])
+    path.append(6, OLD[6])
+    for pose, wanted in zip(dict(path.poses()).values(), OLD, strict=False):
+        assert_same(pose, wanted)
+
+
 def test_keyframes_go_where_the_window_found_them() -> None:
     path = path_of(OLD)
     path.correct([2, 6], [SHIFT @ OLD[2], OLD[6]])

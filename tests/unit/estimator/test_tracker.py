@@ -79,9 +79,20 @@ def test_a_track_without_a_point_that_looks_down_is_predicted_on_the_road() -> N
     np.testing.assert_allclose(tracker.predict(CAMS[0], CAMS[1])[road], wanted[road], atol=1e-6)
 
 
-def test_a_missing_image_forgets_everything() -> None:
+def test_tracks_wait_for_an_image_that_is_missing() -> None:
     tracker = driven()
-    tracker.miss()
+    count = len(tracker.ids)
+    for missed in range(1, tracker.config.bridged_images + 1):
+        tracker.miss()
+        assert not tracker.current and tracker.missed_count == missed and len(tracker.ids) == count
+    tracker.advance(IMAGES[3], tracker.pixels)
+    assert tracker.current and len(tracker.ids) > 0
+
+
+def test_images_missing_for_long_forget_everything() -> None:
+    tracker = driven()
+    for _ in range(tracker.config.bridged_images + 1):
+        tracker.miss()
     assert len(tracker.ids) == 0 and tracker.image is None
     tracker.advance(IMAGES[3], np.zeros((0, 2)))
     tracker.replenish()
