@@ -65,10 +65,17 @@ def cost(settings: tuple[str, ...]) -> tuple[float, float, int]:
         views |= lens.views(name, world_from_cam(data, name))
     keys = {name: lens.keys(name) for name, lens in scene.lenses.items()}
     around = {name: air.around({key: views[key] for key in of_lens}) for name, of_lens in keys.items()}
+    around = {name: of_camera for name, of_camera in around.items() if of_camera}  # only wet roads mirror
     with ClassicRenderer(scene.model) as renderer:
         pictures = renderer.render(data, views, depth=air.needs_depth)
         rendering_ms = least_ms(lambda: renderer.render(data, views, depth=air.needs_depth))
         wide = {name: renderer.render(data, of_camera, depth=True) for name, of_camera in around.items()}
+
+    def look_around() -> None:
+        for name, of_camera in around.items():
+            air.look_around(list(wide[name].values()), list(of_camera.values()), name, _AT_S)
+
+    look_around()
     lit = {
         name: [air.light(pictures[key], views[key], name, _AT_S) for key in of_lens]
         for name, of_lens in keys.items()
@@ -76,9 +83,7 @@ def cost(settings: tuple[str, ...]) -> tuple[float, float, int]:
     images = {name: lens.apply(lit[name]) for name, lens in scene.lenses.items()}
 
     def bundle() -> None:
-        for name, of_camera in around.items():
-            if of_camera:
-                air.look_around(list(wide[name].values()), list(of_camera.values()), name, _AT_S)
+        look_around()
         for name, of_lens in keys.items():
             for key in of_lens:
                 air.light(pictures[key], views[key], name, _AT_S)
