@@ -1,7 +1,7 @@
 """A scenario rendered again, in this process and after unrelated ones, gives the same bytes.
 
-A dozen that between them use every renderer and every stage that draws at random; all of them, ten bundles
-each, are compared by ``python -m tests.benchmark.determinism``.
+Eleven that between them use most stages that draw at random; all of them, ten bundles each, are compared by
+``python -m tests.benchmark.determinism``. For Filament see ``tests/integration/test_filament_order.py``.
 """
 
 from collections.abc import Callable
@@ -14,7 +14,6 @@ from sim.world import Snapshot
 from tests.scenarios.first_bundles import first_bundles
 
 NAMES = (
-    "filament_street",
     "second_opinion",
     "night_rain",
     "fog",
