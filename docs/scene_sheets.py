@@ -12,6 +12,7 @@ import numpy as np
 
 from estimator.camera import Camera
 from estimator.se3 import SE3
+from eval.lettering import text_width_px, write_text
 from scenarios.load import load_scenario
 from sim.rendering.choice import RENDERER_NAMES, open_renderer
 from sim.rendering.names import RendererName
@@ -22,6 +23,7 @@ from sim.vehicle.cameras import world_from_cam
 from sim.vehicle.car_state import world_from_ego
 
 PICTURES = Path(__file__).parent / "pictures"
+_TEXT_PX = 12
 _BEHIND = SE3(np.array([[0, 0, 1.0], [-1, 0, 0], [0, -1, 0]]), np.array([-6.5, 0.0, 1.2]))
 _BESIDE = SE3(np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]]), np.array([1.2, -5.2, 0.9]))  # looks to the left
 
@@ -51,9 +53,9 @@ class Shot:
         with open_renderer(self.renderer, scene.model) as renderer:
             picture = renderer.render(data, {"eye": View(pinhole, pose)})["eye"].rgb[..., ::-1].copy()
         if self.caption:
-            cv2.rectangle(picture, (0, height - 22), (14 + 9 * len(self.caption), height), (30, 30, 30), -1)
-            place, font = (7, height - 7), cv2.FONT_HERSHEY_SIMPLEX
-            cv2.putText(picture, self.caption, place, font, 0.45, (255, 255, 255), 1, cv2.LINE_AA)
+            right_px = 14 + text_width_px(self.caption, _TEXT_PX)
+            cv2.rectangle(picture, (0, height - 22), (right_px, height), (30, 30, 30), -1)
+            write_text(picture, self.caption, (7, height - 7), _TEXT_PX, (255, 255, 255))
         return picture
 
 
@@ -82,7 +84,7 @@ SHEETS: dict[str, tuple[int, tuple[int, int], list[Shot]]] = {
         (360, 225),
         [
             *map(_street, ("straight", "bend", "t_junction", "crossroads", "roundabout")),
-            Shot("block_loop", ("street.traffic={}",), caption="loop"),
+            Shot("block_loop", caption="loop"),
             *map(_street, ("motorway", "tunnel", "car_park")),
             _street("suburb", "street.facades=bare"),
             _street("canyon", "street.facades=repeated"),

@@ -25,7 +25,11 @@ class FrontEndConfig(Config):
 
 
 class FrontEnd:
-    """Trackers of all cameras around the odometry of the reference."""
+    """Trackers of all cameras around the odometry of the reference.
+
+    Attributes:
+        known: Whether the newest bundle's pose was measured, not guessed.
+    """
 
     def __init__(self, rig: Rig, config: FrontEndConfig) -> None:
         self.rig = rig

@@ -12,30 +12,37 @@ import hashlib
 import multiprocessing
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from contextlib import closing
 from itertools import islice
 
 from scenarios.bundled import bundled_names
 from scenarios.load import load_scenario
 from sim.rendering.choice import probe
+from sim.world import Snapshot
 
 
 def digest_of(job: tuple[str, int]) -> str:
     """Return one SHA-256 over the first bundles of a scenario, seed 0, images and truth."""
-    from sim.messages import extrinsics, odometry, serialize
     from sim.simulate import simulate
 
     name, count = job
     scenario = load_scenario(name)
-    content = hashlib.sha256()
     with closing(simulate(scenario.world, scenario.rig, 0)) as snapshots:
-        for snapshot in islice(snapshots, count):
-            for frame in snapshot.frames:
-                content.update(f"{frame.camera} {frame.stamp_ns} {frame.arrival_ns}".encode())
-                content.update(frame.image.tobytes())
-            content.update(serialize(odometry(snapshot.truth)))
-            content.update(serialize(extrinsics(snapshot.truth)))
+        return content_digest(islice(snapshots, count))
+
+
+def content_digest(snapshots: Iterable[Snapshot]) -> str:
+    """Return one SHA-256 over images, their stamps and the truth."""
+    from sim.messages import extrinsics, odometry, serialize
+
+    content = hashlib.sha256()
+    for snapshot in snapshots:
+        for frame in snapshot.frames:
+            content.update(f"{frame.camera} {frame.stamp_ns} {frame.arrival_ns}".encode())
+            content.update(frame.image.tobytes())
+        content.update(serialize(odometry(snapshot.truth)))
+        content.update(serialize(extrinsics(snapshot.truth)))
     return content.hexdigest()
 
 

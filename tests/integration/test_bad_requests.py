@@ -156,6 +156,11 @@ def test_ctrl_c_in_a_sweep_stops_its_workers(house: Path, tiny: str, tmp_path: P
     assert left == ["sweep.yaml", f"tiny-0-{ESTIMATORS}.Nominal"]
 
 
+def _heed_interrupts() -> None:
+    """Undo what a shell hands down to its background jobs: that they ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def _interrupt(arguments: tuple[str, ...], folder: Path, when: str) -> int:
     """Start a command, send it Ctrl-C at a line of its standard error, and return its exit code."""
     with subprocess.Popen(
@@ -163,9 +168,7 @@ def _interrupt(arguments: tuple[str, ...], folder: Path, when: str) -> int:
         cwd=folder,
         stderr=subprocess.PIPE,
         text=True,
-        preexec_fn=lambda: signal.signal(
-            signal.SIGINT, signal.SIG_DFL
-        ),  # a shell's background job ignores it
+        preexec_fn=_heed_interrupts,
     ) as process:
         assert process.stderr is not None
         lines = []

@@ -14,7 +14,7 @@ from sim.stage import Stage
 from sim.vehicle.cameras import world_from_cam
 
 CONTEXTS = 8
-_FEW_VALUES, _FEW_LEVELS = 60, 24  # of 2.9 million values; a wall drawn in another colour is more
+_FEW_VALUES, _FEW_LEVELS = 60, 24  # a wall drawn in another colour is more
 
 
 def test_contexts_draw_the_same_but_for_ties() -> None:
@@ -28,6 +28,7 @@ def test_contexts_draw_the_same_but_for_ties() -> None:
     for _ in range(CONTEXTS):
         with open_renderer("filament", scene.model) as renderer:
             pictures.append(renderer.render(data, views)["left_front"].rgb.astype(int))
-    for picture in pictures[1:]:
-        apart = np.abs(picture - pictures[0])
-        assert (apart > 0).sum() <= _FEW_VALUES and apart.max() <= _FEW_LEVELS
+    usual = np.median(pictures, axis=0)
+    apart = np.abs(pictures - usual)
+    assert (apart > 0).any((1, 2, 3)).sum() <= 1, "left to itself, nearly half of them differ"
+    assert (apart > 0).sum() <= _FEW_VALUES and apart.max() <= _FEW_LEVELS
