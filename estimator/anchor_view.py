@@ -11,7 +11,7 @@ from estimator.anchors import Anchors
 from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index, Mask
-from estimator.patches import Patches, plane_warp, sample_patches
+from estimator.patches import Patches, Warps, plane_warp, sample_patches
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -31,13 +31,13 @@ class AnchorView:
     Attributes:
         anchors: The anchors of all landmarks.
         landmark: (N,) whose patch is viewed.
-        warp: (N, 2, 2) linear maps from offsets in the view to offsets in the anchoring image, in pixels.
+        warps: From offsets in the view to offsets in the anchoring image.
         visible: (N,) whether the patch can be seen and compared there.
     """
 
     anchors: Anchors
     landmark: Index
-    warp: Array
+    warps: Warps
     visible: Mask
 
     def patches(self, images: Sequence[Sequence[Image | None]], rows: Index, half_px: int) -> Patches:
@@ -45,7 +45,7 @@ class AnchorView:
         landmark = self.landmark[rows]
         keyframe, camera = self.anchors.keyframe[landmark], self.anchors.camera[landmark]
         return sample_patches(
-            images, keyframe, camera, self.anchors.pixels[landmark], self.warp[rows], half_px
+            images, keyframe, camera, self.anchors.pixels[landmark], self.warps[rows], half_px
         )
 
 
@@ -61,10 +61,10 @@ def view_anchors(
     """Return how (N,) landmarks' patches look at (N, 2) pixels of given cameras and keyframes."""
     source = (anchors.camera[landmark], anchors.keyframe[landmark])
     points_world, normals_world = scene.points_world[landmark], anchors.normals_world[landmark]
-    warp = plane_warp(scene, source, (camera, keyframe), points_world, normals_world, at_px)
+    warps = plane_warp(scene, source, (camera, keyframe), points_world, normals_world, at_px)
     with np.errstate(invalid="ignore"):
-        stretch = np.sqrt(np.abs(np.linalg.det(warp)))
-        visible = np.isfinite(warp).all((1, 2)) & anchors.valid[landmark]
+        stretch = np.sqrt(np.abs(np.linalg.det(warps.linear)))
+        visible = warps.finite & anchors.valid[landmark]
         visible &= (stretch > limits.min_stretch) & (stretch < limits.max_stretch)
-        visible &= np.linalg.norm(warp, axis=(1, 2)) < limits.max_norm
-    return AnchorView(anchors, landmark, warp, visible)
+        visible &= np.linalg.norm(warps.linear, axis=(1, 2)) < limits.max_norm
+    return AnchorView(anchors, landmark, warps, visible)

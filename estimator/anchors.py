@@ -106,7 +106,7 @@ def _likeness(
     normals: Array,
 ) -> Array:
     """Return (L,) correlation of the anchor patch, warped, with another sighting; -inf where it fails."""
-    warp = plane_warp(
+    warps = plane_warp(
         scene,
         (middle.camera, middle.keyframe),
         (other.camera, other.keyframe),
@@ -114,12 +114,12 @@ def _likeness(
         normals,
         other.pixels,
     )
-    usable = np.isfinite(warp).all((1, 2))
+    usable = warps.finite
     result = np.full(len(points), -np.inf)
     rows = np.flatnonzero(usable)
     if len(rows):
         template = sample_patches(
-            images, middle.keyframe[rows], middle.camera[rows], middle.pixels[rows], warp[rows], _HALF_PX
+            images, middle.keyframe[rows], middle.camera[rows], middle.pixels[rows], warps[rows], _HALF_PX
         )
         seen = sample_patches(
             images, other.keyframe[rows], other.camera[rows], other.pixels[rows], None, _HALF_PX

@@ -27,7 +27,7 @@ class OnlineConfig(Config):
     front_end: FrontEndConfig = FrontEndConfig()
     window: WindowConfig = WindowConfig()
     pace: PaceConfig = PaceConfig()
-    shared_scale_sigma: float = 0.007
+    shared_scale_sigma: float = 0.002
     status: StatusConfig = StatusConfig()
 
 
@@ -35,6 +35,12 @@ class OnlineEstimator:
     """Estimate the extrinsics of a rig while the car drives.
 
     Sees bundles and the nominal rig, nothing else. Deterministic: the same bundles give the same bytes.
+
+    Attributes:
+        belief: The extrinsics as known so far.
+        path: Where the car was, in a world of the estimator's own.
+        newest_keyframe: The newest bundle, if it was kept as a keyframe.
+        started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
     """
 
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
@@ -43,7 +49,9 @@ class OnlineEstimator:
         self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
         self._keyframes: list[Keyframe] = []
-        self._path = Path()
+        self.path = Path()
+        self.newest_keyframe: Keyframe | None = None
+        self.started = False
         self._newest: WindowResult | None = None
         self._inliers = dict.fromkeys(rig.cameras, 0)
         self._links = dict.fromkeys(rig.cameras, 0)
@@ -53,15 +61,18 @@ class OnlineEstimator:
         """Follow the bundle; when a window is full, calibrate from it."""
         stopwatch = Stopwatch()
         self._stamp_ns = bundle.stamp_ns
-        started = self._front_end.advance(bundle, stopwatch)
-        if started:
-            self._keyframes = [self._front_end.keyframe()]
-            self._path.begin(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
+        self.newest_keyframe = None
+        self.started = self._front_end.advance(bundle, stopwatch)
+        if self.started:
+            self.newest_keyframe = self._front_end.keyframe()
+            self._keyframes = [self.newest_keyframe]
+            self.path.begin(bundle.stamp_ns, self._front_end.odometry.world_from_ego)
         elif self._front_end.metric:
             here = self._front_end.odometry.world_from_ego
-            self._path.append(bundle.stamp_ns, here, self._front_end.known)
+            self.path.append(bundle.stamp_ns, here, self._front_end.known)
         if self._front_end.known and is_keyframe(self._keyframes, self._front_end.odometry, self.config.pace):
-            self._keyframes.append(self._front_end.keyframe())
+            self.newest_keyframe = self._front_end.keyframe()
+            self._keyframes.append(self.newest_keyframe)
         matches: tuple[Match, ...] = ()
         if len(self._keyframes) >= self._window_length():
             matches = self._calibrate(stopwatch)
@@ -74,6 +85,16 @@ class OnlineEstimator:
         if len(self._keyframes) >= self.config.pace.min_keyframes:
             matches = self._calibrate(stopwatch)
         return self._estimate(stopwatch, matches, closing=True)
+
+    @property
+    def has_learnt(self) -> bool:
+        """Whether any window has been solved."""
+        return self._newest is not None
+
+    def final_answer(self, belief: Belief) -> Estimate:
+        """Return what ``close`` would, had the windows taught this belief."""
+        self.belief = belief
+        return self._estimate(Stopwatch(), (), closing=True)
 
     def _window_length(self) -> int:
         return self.config.pace.keyframes if self._newest else self.config.pace.first_keyframes
@@ -110,7 +131,7 @@ class OnlineEstimator:
         new_from_old = corrected[-1] @ old_last.inverse()
         old_m = float(np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation))
         new_m = float(np.linalg.norm((first.inverse() @ last).translation))
-        self._path.correct([k.stamp_ns for k in keyframes], corrected)
+        self.path.correct([k.stamp_ns for k in keyframes], corrected)
         self._front_end.correct(self.belief.rig, new_from_old, new_m / max(old_m, 1e-6))
         self._keyframes = [
             Keyframe(keyframes[-1].stamp_ns, keyframes[-1].images, corrected[-1], keyframes[-1].tracks)
@@ -123,7 +144,7 @@ class OnlineEstimator:
         if self._newest is None:
             stated = self.belief
         cameras = {name: self._camera_estimate(name, stated) for name in self.belief.rig.cameras}
-        poses = self._path.poses()
+        poses = self.path.poses()
         return Estimate(
             self._stamp_ns,
             cameras,

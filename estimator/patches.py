@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
 import numpy.typing as npt
 
 from estimator.bundle import Image
-from estimator.observations import Index
+from estimator.observations import Index, Mask
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -18,15 +19,39 @@ _STEP_PX = 3.0
 _ROWS_AT_ONCE = 1000
 
 
+@dataclass(frozen=True, eq=False)
+class Warps:
+    """N maps of offsets from a centre, x to ``linear @ x / (1 + perspective @ x)``, in pixels.
+
+    The perspective part matters: across a patch of a wall seen at a slant the scale changes by several
+    percent, and without it every such patch is measured off towards the same side.
+
+    Attributes:
+        linear: (N, 2, 2).
+        perspective: (N, 2) per pixel.
+    """
+
+    linear: Array
+    perspective: Array
+
+    def __getitem__(self, rows: Index) -> Warps:
+        return Warps(self.linear[rows], self.perspective[rows])
+
+    @property
+    def finite(self) -> Mask:
+        """(N,) whether the map exists."""
+        return np.asarray(np.isfinite(self.linear).all((1, 2)) & np.isfinite(self.perspective).all(1))
+
+
 def sample_patches(
     images: Sequence[Sequence[Image | None]],
     keyframe: Index,
     camera: Index,
     centers_px: Array,
-    affine: Array | None,
+    warps: Warps | None,
     half_px: int,
 ) -> Patches:
-    """Cut (N, P, P) patches, P = 2 half + 1, warped by (N, 2, 2) linear maps (None: upright).
+    """Cut (N, P, P) patches, P = 2 half + 1, through maps from their own offsets (None: upright).
 
     ``images[keyframe][camera]`` must exist for every row. Beyond the border the edge is repeated.
     """
@@ -35,13 +60,19 @@ def sample_patches(
     grid = np.stack(np.meshgrid(offset, offset), -1).reshape(-1, 2)
     out = np.empty((len(centers_px), side, side), np.float32)
     centers = centers_px.astype(np.float32)
-    maps = None if affine is None else affine.astype(np.float32).transpose(0, 2, 1)
     for rows, image in _by_image(images, keyframe, camera):
-        moved = grid if maps is None else grid @ maps[rows]
+        moved = grid if warps is None else _moved(grid, warps[rows])
         where = (centers[rows, None] + moved).reshape(-1, side, 2)
         patch = cv2.remap(image, where, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
         out[rows] = patch.reshape(-1, side, side)
     return out
+
+
+def _moved(grid: Patches, warps: Warps) -> Patches:
+    """Return (N, P*P, 2) the images of (P*P, 2) offsets."""
+    linear = grid @ warps.linear.astype(np.float32).transpose(0, 2, 1)
+    depth = 1 + grid @ warps.perspective.astype(np.float32)[:, :, None]
+    return np.asarray(linear / np.maximum(depth, np.float32(0.1)))
 
 
 def _by_image(
@@ -66,11 +97,11 @@ def plane_warp(
     points_world: Array,
     normals_world: Array,
     target_px: Array,
-) -> Array:
-    """Return the (N, 2, 2) linear maps from target offsets to anchor offsets, in pixels.
+) -> Warps:
+    """Return the N maps from target offsets to anchor offsets.
 
     The neighbourhood of each point is taken as the plane through it; the homography that the plane induces
-    is linearised by central differences through both lenses, so any camera model serves.
+    is found by differences through both lenses, so any camera model serves.
 
     Args:
         scene: Poses and cameras.
@@ -89,20 +120,28 @@ def plane_warp(
     rotation_target, center_target = scene.pose_arrays(*target)
     rotation_anchor, center_anchor = scene.pose_arrays(*anchor)
     distance = np.einsum("ni,ni->n", normals_world, points_world - center_target)
-    columns = []
+
+    def carry(offset_px: Array) -> Array:
+        """Return where pixels of the target, seen on the plane, appear in the anchoring image."""
+        rays_cam = scene.unproject(target[0], target_px + offset_px)
+        rays = np.einsum("nij,nj->ni", rotation_target, rays_cam)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            reach = distance / np.einsum("ni,ni->n", normals_world, rays)
+        reach[~(reach > 0)] = np.nan
+        on_plane = center_target + reach[:, None] * rays
+        return scene.project(anchor[0], np.einsum("nji,nj->ni", rotation_anchor, on_plane - center_anchor))
+
+    center = carry(np.zeros(2))
+    columns, shrink = [], []
     for direction in np.eye(2) * _STEP_PX:
-        ends = []
-        for sign in (-1.0, 1.0):
-            rays_cam = scene.unproject(target[0], target_px + sign * direction)
-            rays = np.einsum("nij,nj->ni", rotation_target, rays_cam)
-            with np.errstate(divide="ignore", invalid="ignore"):
-                reach = distance / np.einsum("ni,ni->n", normals_world, rays)
-            reach[~(reach > 0)] = np.nan
-            on_plane = center_target + reach[:, None] * rays
-            in_anchor = np.einsum("nji,nj->ni", rotation_anchor, on_plane - center_anchor)
-            ends.append(scene.project(anchor[0], in_anchor))
-        columns.append((ends[1] - ends[0]) / (2 * _STEP_PX))
-    return np.stack(columns, -1)
+        ahead, behind = carry(direction) - center, carry(-direction) - center
+        # For x / (1 + c x) both ways, each end is a / (1 + c) and -a / (1 - c) with c in steps.
+        total, across = ahead + behind, ahead - behind
+        size = np.maximum(np.einsum("ni,ni->n", across, across), 1e-12)
+        per_step = -np.einsum("ni,ni->n", total, across) / size
+        columns.append(across * (0.5 * (1 - per_step**2) / _STEP_PX)[:, None])
+        shrink.append(per_step / _STEP_PX)
+    return Warps(np.stack(columns, -1), np.stack(shrink, -1))
 
 
 def normalised(patches: Patches) -> tuple[Patches, Patches]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pydantic import Field
+
 from estimator.align import AlignConfig
 from estimator.config import Config
 from estimator.factors import GraphConfig
@@ -13,7 +15,9 @@ class WindowConfig(Config):
     """Noise, limits and search ranges of a window's calibration."""
 
     track_sigma_px: float = 0.5
-    anchored_sigma_px: float = 0.65
+    anchored_sigma_px: float = 0.4
+    anchored_loss_px: float = 0.1
+    repeats: int = Field(0, ge=0)  # how often sightings are measured again from a better scene
     unsure_rad: float = 0.006
     wide_search_rad: float = 0.04
     narrow_search_rad: float = 0.008

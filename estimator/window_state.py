@@ -15,6 +15,7 @@ from estimator.factors import GraphConfig, Loss
 from estimator.graph import adjust
 from estimator.keyframe import Keyframe, gather_observations
 from estimator.observations import Mask, Observations
+from estimator.rig import Rig
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -30,8 +31,10 @@ class WindowState:
         scene: Poses, extrinsics and landmarks; world is the first keyframe's ego frame.
     """
 
-    def __init__(self, keyframes: Sequence[Keyframe], belief: Belief, track_sigma_px: float) -> None:
-        rig = belief.rig
+    def __init__(
+        self, keyframes: Sequence[Keyframe], belief: Belief, track_sigma_px: float, start: Rig | None = None
+    ) -> None:
+        rig = start or belief.rig
         names = list(rig.cameras)
         self.belief = belief
         self.reference = names.index(rig.reference)

@@ -11,14 +11,8 @@ import pytest
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
-from estimator.rig import Rig
-from tests.canyon import render
-from tests.mounts import arc, left_side_rig, shaken, worst_error
-
-TRUTH = left_side_rig()
-NOMINAL = shaken(TRUTH, 2.0, 60.0)
-PATH = arc(0.7, 20)
-PERIOD_NS = 100_000_000
+from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, canyon_bundles, rig_of
+from tests.mounts import worst_error
 
 Answers = list[Estimate]
 
@@ -27,10 +21,6 @@ def drive(bundles: Sequence[FrameBundle]) -> Answers:
     """Return the answers to all bundles, and the last one."""
     estimator = OnlineEstimator(NOMINAL)
     return [*(estimator.update(bundle) for bundle in bundles), estimator.close()]
-
-
-def rig_of(estimate: Estimate) -> Rig:
-    return NOMINAL.with_extrinsics({name: c.ego_from_cam for name, c in estimate.cameras.items()})
 
 
 def without(bundles: Sequence[FrameBundle], missing: dict[int, str]) -> list[FrameBundle]:
@@ -61,12 +51,7 @@ def one_thread() -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def bundles() -> list[FrameBundle]:
-    return [
-        FrameBundle(
-            index * PERIOD_NS, {n: render(m.camera, pose @ m.ego_from_cam) for n, m in TRUTH.cameras.items()}
-        )
-        for index, pose in enumerate(PATH)
-    ]
+    return canyon_bundles()
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from estimator.patches import normalised, plane_warp, sample_patches
+from estimator.patches import Warps, normalised, plane_warp, sample_patches
 from estimator.scene import Scene
 from tests.canyon import PLANES, noise_image
 from tests.mounts import BROWN, FISHEYE, PINHOLE, arc, left_side_rig
@@ -39,7 +39,7 @@ def test_more_patches_than_fit_one_call_are_cut_too() -> None:
 
 
 def test_a_quarter_turn_turns_the_patch() -> None:
-    turn = np.array([[[0.0, -1.0], [1.0, 0.0]]])
+    turn = Warps(np.array([[[0.0, -1.0], [1.0, 0.0]]]), np.zeros((1, 2)))
     upright = sample_patches(IMAGES, at(0), at(0), np.array([[40.0, 30.0]]), None, 3)[0]
     turned = sample_patches(IMAGES, at(0), at(0), np.array([[40.0, 30.0]]), turn, 3)[0]
     np.testing.assert_allclose(turned, np.rot90(upright), atol=1e-3)
@@ -66,20 +66,27 @@ def scene(*lenses: object) -> Scene:
 def test_the_warp_to_the_same_view_is_the_identity() -> None:
     view = (at(0, 0, 0), at(1, 1, 1))
     known = scene()
-    warp = plane_warp(known, view, view, ROAD, UP, known.predict(*view, ROAD))
-    np.testing.assert_allclose(warp, np.tile(np.eye(2), (3, 1, 1)), atol=1e-9)
+    warps = plane_warp(known, view, view, ROAD, UP, known.predict(*view, ROAD))
+    np.testing.assert_allclose(warps.linear, np.tile(np.eye(2), (3, 1, 1)), atol=1e-9)
+    np.testing.assert_allclose(warps.perspective, 0, atol=1e-9)
 
 
 @pytest.mark.parametrize("lens", [PINHOLE, BROWN, FISHEYE])
-def test_the_warp_carries_small_steps_on_the_plane(lens: object) -> None:
+def test_the_warp_carries_a_whole_patch_on_the_plane(lens: object) -> None:
     known = scene(lens, lens)
     anchor, target = (at(0, 0, 0), at(2, 2, 2)), (at(0, 0, 0), at(0, 0, 0))
-    warp = plane_warp(known, anchor, target, ROAD, UP, known.predict(*target, ROAD))
-    step = np.array([0.02, 0.03, 0.0])
-    in_anchor, in_target = (
-        known.predict(*view, ROAD + step) - known.predict(*view, ROAD) for view in (anchor, target)
-    )
-    np.testing.assert_allclose(np.einsum("nij,nj->ni", warp, in_target), in_anchor, atol=0.04)
+    warps = plane_warp(known, anchor, target, ROAD, UP, known.predict(*target, ROAD))
+    misses, linear_misses = [], []
+    for step in np.array([[0.2, 0.0, 0.0], [-0.2, 0.06, 0.0], [0.0, -0.1, 0.0]]):
+        in_anchor, in_target = (
+            known.predict(*view, ROAD + step) - known.predict(*view, ROAD) for view in (anchor, target)
+        )
+        linear = np.einsum("nij,nj->ni", warps.linear, in_target)
+        depth = 1 + (warps.perspective * in_target).sum(1)
+        misses.append(np.abs(linear / depth[:, None] - in_anchor).max())
+        linear_misses.append(np.abs(linear - in_anchor).max())
+    assert max(misses) < 0.04
+    assert max(linear_misses) > 2 * max(misses), "this is what the perspective part is for"
 
 
 def test_a_plane_behind_the_camera_has_no_warp() -> None:
@@ -87,7 +94,7 @@ def test_a_plane_behind_the_camera_has_no_warp() -> None:
     view = (at(0), at(0))
     behind = np.array([[-5.0, 0.0, 0.0]])
     wall = np.array([[1.0, 0.0, 0.0]])
-    assert np.isnan(plane_warp(known, view, view, behind, wall, np.array([[160.0, 100.0]]))).all()
+    assert not plane_warp(known, view, view, behind, wall, np.array([[160.0, 100.0]])).finite.any()
 
 
 def test_a_plane_behind_the_target_has_no_warp_though_the_anchor_sees_it() -> None:
@@ -97,7 +104,7 @@ def test_a_plane_behind_the_target_has_no_warp_though_the_anchor_sees_it() -> No
     mirrored = 2 * front.translation - point
     target_px = known.predict(at(0), at(0), mirrored)
     assert np.isfinite(target_px).all() and np.isfinite(known.predict(at(2), at(0), point)).all()
-    assert np.isnan(plane_warp(known, (at(2), at(0)), (at(0), at(0)), point, facing_ahead, target_px)).all()
+    assert not plane_warp(known, (at(2), at(0)), (at(0), at(0)), point, facing_ahead, target_px).finite.any()
 
 
 def test_the_canyon_s_planes_are_right_angled() -> None:

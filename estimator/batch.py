@@ -1,0 +1,92 @@
+"""The batch estimator: what the online one does, and then the whole drive at once.
+
+For calibration after the drive, and as the reference that the online estimator is measured against. While
+the car drives, the answers are the online estimator's; ``close`` gives the better ones.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from estimator.belief import Belief
+from estimator.bundle import FrameBundle
+from estimator.config import Config
+from estimator.estimate import Estimate
+from estimator.factors import GraphConfig
+from estimator.keyframe import Keyframe
+from estimator.online import OnlineConfig, OnlineEstimator
+from estimator.rig import Rig
+from estimator.stopwatch import Stopwatch
+from estimator.window import WindowCalibration
+from estimator.window_config import WindowConfig
+from estimator.window_result import WindowResult
+
+_PATIENT = GraphConfig(iterations=30, relative_tolerance=1e-5)
+
+
+class BatchConfig(Config):
+    """Settings of the batch estimator.
+
+    A drive of more than ``segment_keyframes`` metres is adjusted in segments, one after the other, each with
+    what the ones before it taught as its prior: images are held for one segment at a time.
+    """
+
+    online: OnlineConfig = OnlineConfig()
+    window: WindowConfig = WindowConfig(repeats=1, graph=_PATIENT)
+    segment_keyframes: int = 100
+    min_keyframes: int = 5
+
+
+class BatchEstimator:
+    """Estimate the extrinsics of a rig from a whole drive.
+
+    Sees bundles and the nominal rig, nothing else. Deterministic: the same bundles give the same bytes.
+    """
+
+    def __init__(self, rig: Rig, config: BatchConfig | None = None) -> None:
+        self.config = config or BatchConfig()
+        self._online = OnlineEstimator(rig, self.config.online)
+        self._belief = Belief.nominal(rig)
+        self._has_learnt = False
+        self._segment: list[Keyframe] = []
+
+    def update(self, bundle: FrameBundle) -> Estimate:
+        """Follow the bundle as the online estimator does, and keep the keyframes."""
+        estimate = self._online.update(bundle)
+        if self._online.started:
+            self._adjust_segment()
+            self._segment = []
+        if self._online.newest_keyframe is not None:
+            self._segment.append(self._online.newest_keyframe)
+        if len(self._segment) > self.config.segment_keyframes:
+            self._adjust_segment()
+            self._segment = self._segment[-1:]
+        return estimate
+
+    def close(self) -> Estimate:
+        """Adjust what is left of the drive, and answer with all that the segments taught."""
+        answer = self._online.close()
+        self._adjust_segment()
+        return self._online.final_answer(self._belief) if self._has_learnt else answer
+
+    def _adjust_segment(self) -> None:
+        """Adjust a segment as one window that starts from what the online estimator knows."""
+        if len(self._segment) < self.config.min_keyframes or not self._online.has_learnt:
+            return
+        poses = dict(self._online.path.poses())
+        keyframes = [
+            replace(k, world_from_ego=poses.get(k.stamp_ns, k.world_from_ego)) for k in self._segment
+        ]
+        start = self._online.belief.rig
+        result = WindowCalibration(
+            keyframes, self._belief, True, self.config.window, Stopwatch(), start=start
+        ).run()
+        if result is not None:
+            self._belief, self._has_learnt = result.belief, True
+            self._move_path(keyframes, result)
+
+    def _move_path(self, keyframes: list[Keyframe], result: WindowResult) -> None:
+        """Put the car where the segment found it, seen from the segment's first pose."""
+        world_from_segment = keyframes[0].world_from_ego @ result.world_from_egos[0].inverse()
+        corrected = [world_from_segment @ pose for pose in result.world_from_egos]
+        self._online.path.correct([k.stamp_ns for k in keyframes], corrected)

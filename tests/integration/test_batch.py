@@ -1,0 +1,91 @@
+"""The batch estimator on a short drive through a street of textured planes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import cv2
+import numpy as np
+import pytest
+
+from estimator.batch import BatchConfig, BatchEstimator
+from estimator.bundle import FrameBundle
+from estimator.estimate import Estimate, Status
+from estimator.online import OnlineEstimator
+from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, canyon_bundles, rig_of
+from tests.mounts import worst_error
+
+
+def drive(bundles: list[FrameBundle], config: BatchConfig | None = None) -> Estimate:
+    """Return the last answer."""
+    estimator = BatchEstimator(NOMINAL, config)
+    for bundle in bundles:
+        estimator.update(bundle)
+    return estimator.close()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_thread() -> Iterator[None]:
+    before = cv2.getNumThreads()
+    cv2.setNumThreads(1)
+    yield
+    cv2.setNumThreads(before)
+
+
+@pytest.fixture(scope="module")
+def bundles() -> list[FrameBundle]:
+    return canyon_bundles()
+
+
+@pytest.fixture(scope="module")
+def answer(bundles: list[FrameBundle]) -> Estimate:
+    return drive(bundles)
+
+
+def test_a_wrong_rig_is_put_right(answer: Estimate) -> None:
+    rotation_deg, translation_mm = worst_error(rig_of(answer), TRUTH)
+    assert rotation_deg < 0.1 and translation_mm < 25
+    assert all(camera.status is Status.CONVERGED for camera in answer.cameras.values())
+
+
+def test_the_path_is_in_metres_and_every_bundle_has_its_pose(answer: Estimate) -> None:
+    trajectory = dict(answer.trajectory)
+    assert sorted(trajectory) == [index * PERIOD_NS for index in range(len(PATH))]
+    for index, true in enumerate(PATH):
+        error = true.local(trajectory[index * PERIOD_NS])
+        assert np.linalg.norm(error[:3]) < np.deg2rad(0.3) and np.linalg.norm(error[3:]) < 0.1
+
+
+def test_two_drives_give_the_same_bytes(bundles: list[FrameBundle], answer: Estimate) -> None:
+    for name, camera in drive(bundles).cameras.items():
+        first = answer.cameras[name]
+        assert camera.ego_from_cam.matrix.tobytes() == first.ego_from_cam.matrix.tobytes()
+        assert camera.covariance.tobytes() == first.covariance.tobytes()
+
+
+def test_a_drive_in_segments_is_put_right_too(bundles: list[FrameBundle]) -> None:
+    rotation_deg, translation_mm = worst_error(
+        rig_of(drive(bundles, BatchConfig(segment_keyframes=10))), TRUTH
+    )
+    assert rotation_deg < 0.15 and translation_mm < 30
+
+
+def test_while_the_car_drives_the_answers_are_the_online_ones(bundles: list[FrameBundle]) -> None:
+    online, batch = OnlineEstimator(NOMINAL), BatchEstimator(NOMINAL)
+    for bundle in bundles[:13]:
+        expected, got = online.update(bundle), batch.update(bundle)
+        for name, camera in expected.cameras.items():
+            np.testing.assert_array_equal(got.cameras[name].ego_from_cam.matrix, camera.ego_from_cam.matrix)
+
+
+def test_a_standing_car_learns_nothing_and_says_so(bundles: list[FrameBundle]) -> None:
+    last = drive([FrameBundle(index * PERIOD_NS, bundles[0].images) for index in range(12)])
+    for name in NOMINAL.estimated_names:
+        assert last.cameras[name].status is Status.INITIALISING
+        np.testing.assert_array_equal(
+            last.cameras[name].ego_from_cam.matrix, NOMINAL[name].ego_from_cam.matrix
+        )
+
+
+def test_no_bundles_are_no_error() -> None:
+    assert drive([]).cameras["left_rear"].status is Status.INITIALISING
