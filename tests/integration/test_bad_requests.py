@@ -19,7 +19,7 @@ RIGTRUE = (sys.executable, "-c", "from eval.cli import main; main()")
     ("arguments", "message"),
     [
         ("run nope", "scenario 'nope' is not known; there are: "),
-        ("run first_drive --estimator nope", "estimator 'nope' is not known; there are: online"),
+        ("run first_drive --estimator nope", "estimator 'nope' is not known; there are: batch, online"),
         ("run first_drive --estimator nope:X", "cannot import 'nope'"),
         (f"run first_drive --estimator {ESTIMATORS}:X", "has no 'X'"),
         (f"run first_drive --estimator {ESTIMATORS}:__doc__", "got a str, wanted a class or function"),

@@ -28,7 +28,7 @@ def test_a_module_in_the_working_folder_is_found(tmp_path: Path, monkeypatch: py
 @pytest.mark.parametrize(
     ("name", "message"),
     [
-        ("nope", "estimator 'nope' is not known; there are: online, or any module:Class"),
+        ("nope", "estimator 'nope' is not known; there are: batch, online, or any module:Class"),
         ("nope:X", "cannot import 'nope'"),
         (":X", "cannot import ''"),
         ("json:X", "module 'json' has no 'X'"),
