@@ -11,9 +11,10 @@ from estimator.anchors import Anchors
 from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index, Mask
-from estimator.patches import Patches, Warps, plane_warp, sample_patches
+from estimator.patches import Patches, sample_patches
 from estimator.scene import Scene
 from estimator.se3 import Array
+from estimator.warps import Warps, plane_warp
 
 
 class ViewLimits(Config):

@@ -9,9 +9,10 @@ import numpy as np
 
 from estimator.bundle import Image
 from estimator.observations import Index, Mask, Observations
-from estimator.patches import normalised, plane_warp, sample_patches
+from estimator.patches import normalised, sample_patches
 from estimator.scene import Scene
 from estimator.se3 import Array
+from estimator.warps import plane_warp
 
 _HALF_PX = 6
 _MIN_FACING = 0.15
@@ -114,9 +115,8 @@ def _likeness(
         normals,
         other.pixels,
     )
-    usable = warps.finite
     result = np.full(len(points), -np.inf)
-    rows = np.flatnonzero(usable)
+    rows = np.flatnonzero(warps.finite)
     if len(rows):
         template = sample_patches(
             images, middle.keyframe[rows], middle.camera[rows], middle.pixels[rows], warps[rows], _HALF_PX

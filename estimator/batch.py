@@ -19,7 +19,6 @@ from estimator.rig import Rig
 from estimator.stopwatch import Stopwatch
 from estimator.window import WindowCalibration
 from estimator.window_config import WindowConfig
-from estimator.window_result import WindowResult
 
 _PATIENT = GraphConfig(iterations=30, relative_tolerance=1e-5)
 
@@ -27,14 +26,13 @@ _PATIENT = GraphConfig(iterations=30, relative_tolerance=1e-5)
 class BatchConfig(Config):
     """Settings of the batch estimator.
 
-    A drive of more than ``segment_keyframes`` metres is adjusted in segments, one after the other, each with
-    what the ones before it taught as its prior: images are held for one segment at a time.
+    A drive of more than ``segment_keyframes`` is adjusted in segments, one after the other, each with what the
+    ones before it taught as its prior: images are held for one segment at a time.
     """
 
     online: OnlineConfig = OnlineConfig()
     window: WindowConfig = WindowConfig(repeats=1, graph=_PATIENT)
     segment_keyframes: int = 100
-    min_keyframes: int = 5
 
 
 class BatchEstimator:
@@ -71,7 +69,7 @@ class BatchEstimator:
 
     def _adjust_segment(self) -> None:
         """Adjust a segment as one window that starts from what the online estimator knows."""
-        if len(self._segment) < self.config.min_keyframes or not self._online.has_learnt:
+        if len(self._segment) < self.config.online.pace.min_keyframes or not self._online.has_learnt:
             return
         poses = dict(self._online.path.poses())
         keyframes = [
@@ -83,10 +81,5 @@ class BatchEstimator:
         ).run()
         if result is not None:
             self._belief, self._has_learnt = result.belief, True
-            self._move_path(keyframes, result)
-
-    def _move_path(self, keyframes: list[Keyframe], result: WindowResult) -> None:
-        """Put the car where the segment found it, seen from the segment's first pose."""
-        world_from_segment = keyframes[0].world_from_ego @ result.world_from_egos[0].inverse()
-        corrected = [world_from_segment @ pose for pose in result.world_from_egos]
-        self._online.path.correct([k.stamp_ns for k in keyframes], corrected)
+            corrected = result.path_from(keyframes[0].world_from_ego)
+            self._online.path.correct([k.stamp_ns for k in keyframes], corrected)

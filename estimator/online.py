@@ -103,7 +103,7 @@ class OnlineEstimator:
         """Solve the window, fuse what it taught, and start the next one at its last keyframe."""
         keyframes, self._keyframes = self._keyframes, self._keyframes[-1:]
         calibration = WindowCalibration(
-            keyframes, self.belief, self._newest is not None, self.config.window, stopwatch
+            keyframes, self.belief, self.has_learnt, self.config.window, stopwatch
         )
         result = calibration.run()
         if result is None:
@@ -126,7 +126,7 @@ class OnlineEstimator:
             world_from_first = SE3(flat.rotation @ first.rotation, keyframes[0].world_from_ego.translation)
         else:
             world_from_first = keyframes[0].world_from_ego
-        corrected = [world_from_first @ first.inverse() @ pose for pose in result.world_from_egos]
+        corrected = result.path_from(world_from_first)
         old_last = keyframes[-1].world_from_ego
         new_from_old = corrected[-1] @ old_last.inverse()
         old_m = float(np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation))

@@ -133,8 +133,8 @@ class WindowCalibration:
             state.scene = rescale_on_road(state.scene, fine, self.scale_sigma)
             return state.believable(fine, 4.0)
 
-    def _adjust_finely(self, fine: Observations) -> Array:
-        """Adjust to sightings that were measured again, and return the covariance.
+    def _adjust_finely(self, fine: Observations, *, want_covariance: bool = False) -> Array:
+        """Adjust to sightings that were measured again; return the covariance if wanted.
 
         Most of them are right to a tenth of a pixel. The few that are not (corners where something near
         covers something far, patches that are no plane) are off by several tenths, and in one direction for
@@ -144,13 +144,12 @@ class WindowCalibration:
         with self.stopwatch.stage("window"):
             on_road = road_landmarks(state.scene, fine, config.road_tolerance_m)
             state.adjust(fine, on_road, Loss(0.5), config.graph)
-            return state.adjust(
-                fine, on_road, Loss(config.anchored_loss_px), config.graph, want_covariance=True
-            )
+            loss = Loss(config.anchored_loss_px)
+            return state.adjust(fine, on_road, loss, config.graph, want_covariance=want_covariance)
 
     def _conclude(self, fine: Observations) -> WindowResult | None:
         """Adjust once more, and see what that taught."""
         if len(fine) < self.config.result.min_inliers:
             return None
-        covariance = self._adjust_finely(fine)
+        covariance = self._adjust_finely(fine, want_covariance=True)
         return conclude(self.state.scene, fine, covariance, self.stamps_ns, self.config.result)

@@ -44,6 +44,11 @@ class WindowResult:
     median_px: float
     matches: tuple[Match, ...]
 
+    def path_from(self, world_from_first: SE3) -> list[SE3]:
+        """Return the car's poses at the keyframes if it was there at the first."""
+        world_from_window = world_from_first @ self.world_from_egos[0].inverse()
+        return [world_from_window @ pose for pose in self.world_from_egos]
+
 
 def conclude(
     scene: Scene, seen: Observations, covariance: Array, stamps_ns: Sequence[int], config: ResultConfig

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate
 from estimator.rig import Rig
@@ -27,3 +29,12 @@ def canyon_bundles() -> list[FrameBundle]:
 def rig_of(estimate: Estimate) -> Rig:
     """Return the rig as an answer has it."""
     return NOMINAL.with_extrinsics({name: c.ego_from_cam for name, c in estimate.cameras.items()})
+
+
+def as_bytes(answers: Iterable[Estimate]) -> bytes:
+    """Return all poses and covariances to the bit."""
+    parts = []
+    for answer in answers:
+        for camera in answer.cameras.values():
+            parts += [camera.ego_from_cam.matrix.tobytes(), camera.covariance.tobytes()]
+    return b"".join(parts)

@@ -3,9 +3,12 @@
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import cv2
 import pytest
 
+from estimator.bundle import FrameBundle
 from eval.cli import run_command_line
+from tests.canyon_drive import canyon_bundles
 
 _CAMERA = """\
   {name}:
@@ -55,3 +58,18 @@ def command(house: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Com
     """Runs one command line in an empty working folder and returns its exit code."""
     monkeypatch.chdir(tmp_path)
     return lambda *arguments: run_command_line([str(argument) for argument in arguments])
+
+
+@pytest.fixture(scope="module")
+def one_thread() -> Iterator[None]:
+    """OpenCV on one thread, so that the same images give the same bytes."""
+    before = cv2.getNumThreads()
+    cv2.setNumThreads(1)
+    yield
+    cv2.setNumThreads(before)
+
+
+@pytest.fixture(scope="module")
+def bundles(one_thread: None) -> list[FrameBundle]:
+    """A short drive through the canyon; no renderer."""
+    return canyon_bundles()

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-import cv2
 import numpy as np
 import pytest
 
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
-from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, canyon_bundles, rig_of
+from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
 from tests.mounts import worst_error
 
 Answers = list[Estimate]
@@ -31,27 +30,6 @@ def without(bundles: Sequence[FrameBundle], missing: dict[int, str]) -> list[Fra
         )
         for index, bundle in enumerate(bundles)
     ]
-
-
-def as_bytes(answers: Answers) -> bytes:
-    parts = []
-    for answer in answers:
-        for camera in answer.cameras.values():
-            parts += [camera.ego_from_cam.matrix.tobytes(), camera.covariance.tobytes()]
-    return b"".join(parts)
-
-
-@pytest.fixture(scope="module", autouse=True)
-def one_thread() -> Iterator[None]:
-    before = cv2.getNumThreads()
-    cv2.setNumThreads(1)
-    yield
-    cv2.setNumThreads(before)
-
-
-@pytest.fixture(scope="module")
-def bundles() -> list[FrameBundle]:
-    return canyon_bundles()
 
 
 @pytest.fixture(scope="module")
