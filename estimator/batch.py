@@ -26,8 +26,8 @@ _PATIENT = GraphConfig(iterations=30, relative_tolerance=1e-5)
 class BatchConfig(Config):
     """Settings of the batch estimator.
 
-    A drive of more than ``segment_keyframes`` is adjusted in segments, one after the other, each with what the
-    ones before it taught as its prior: images are held for one segment at a time.
+    A drive of more than ``segment_keyframes`` is adjusted in segments, one after the other, each with what
+    the ones before it taught as its prior: images are held for one segment at a time.
     """
 
     online: OnlineConfig = OnlineConfig()
