@@ -8,6 +8,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from estimator.finding import Finding
 from estimator.se3 import SE3, Array
 
 
@@ -69,6 +70,7 @@ class Estimate:
         tracks_px: By camera, (N, 4) previous and present pixel (u0, v0, u1, v1) of the tracks now alive.
         matches: Cross-camera matches that the newest window used; empty between windows.
         stage_s: Wall seconds of this update by stage.
+        findings: What was noticed and still holds.
     """
 
     stamp_ns: int
@@ -78,3 +80,4 @@ class Estimate:
     tracks_px: Mapping[str, Array] = field(default_factory=dict)
     matches: Sequence[Match] = ()
     stage_s: Mapping[str, float] = field(default_factory=dict)
+    findings: Sequence[Finding] = ()
