@@ -10,7 +10,6 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.factors import (
     GraphConfig,
-    Loss,
     add_cameras,
     add_landmarks,
     add_poses,
@@ -21,6 +20,8 @@ from estimator.factors import (
     landmark_key,
     pose_key,
 )
+from estimator.landmark_information import indeterminate_landmarks
+from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
 from estimator.se3 import Array
@@ -71,7 +72,8 @@ def adjust(
     """
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
     add_poses(graph, values, scene, config, fixed_poses)
-    add_landmarks(graph, values, scene, observations, on_road, config)
+    indeterminate = indeterminate_landmarks(scene, observations, loss)
+    add_landmarks(graph, values, scene, observations, on_road, indeterminate, config)
     add_sightings(graph, scene, observations, loss)
     add_cameras(graph, values, scene, belief)
     parameters = gtsam.LevenbergMarquardtParams()
