@@ -14,6 +14,7 @@ import numpy as np
 
 from estimator.belief import Belief
 from estimator.config import Config
+from estimator.kinematics import RearAxleConfig, add_rear_axle
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
@@ -27,6 +28,7 @@ class GraphConfig(Config):
     road_sigma_m: float = 0.02
     ride_height_sigma_m: float = 0.02
     ride_tilt_sigma_rad: float = 0.01
+    rear_axle: RearAxleConfig = RearAxleConfig()
     iterations: int = 12
     relative_tolerance: float = 1e-3
 
@@ -48,6 +50,10 @@ def camera_key(camera: int) -> int:
 
 def landmark_key(landmark: int) -> int:
     return int(gtsam.symbol("l", landmark))
+
+
+def slip_key() -> int:
+    return int(gtsam.symbol("s", 0))
 
 
 def to_gtsam(pose: SE3) -> gtsam.Pose3:
@@ -79,6 +85,15 @@ def _levelled(pose: SE3) -> SE3:
     heading = np.arctan2(pose.rotation[1, 0], pose.rotation[0, 0])
     flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0])).rotation
     return SE3(flat, pose.translation * np.array([1.0, 1.0, 0.0]))
+
+
+def add_kinematics(
+    graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene, config: GraphConfig
+) -> None:
+    poses = scene.world_from_egos
+    if scene.stamps_ns:
+        keys = [pose_key(index) for index in range(len(poses))]
+        add_rear_axle(graph, values, poses, scene.stamps_ns, keys, slip_key(), config.rear_axle)
 
 
 def add_landmarks(

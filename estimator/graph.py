@@ -12,6 +12,7 @@ from estimator.factors import (
     GraphConfig,
     Loss,
     add_cameras,
+    add_kinematics,
     add_landmarks,
     add_poses,
     add_sightings,
@@ -74,6 +75,8 @@ def adjust(
     add_landmarks(graph, values, scene, observations, on_road, config)
     add_sightings(graph, scene, observations, loss)
     add_cameras(graph, values, scene, belief)
+    if not fixed_poses:
+        add_kinematics(graph, values, scene, config)
     parameters = gtsam.LevenbergMarquardtParams()
     parameters.setMaxIterations(config.iterations)
     parameters.setRelativeErrorTol(config.relative_tolerance)

@@ -45,7 +45,7 @@ class WindowState:
         _, landmark = np.unique(tracks.landmark, return_inverse=True)
         self.tracks = replace(tracks, landmark=np.asarray(landmark, np.int64))
         unknown = np.full((int(self.tracks.landmark.max(initial=-1)) + 1, 3), np.nan)
-        self.scene = Scene(rig, poses, unknown)
+        self.scene = Scene(rig, poses, unknown, tuple(keyframe.stamp_ns for keyframe in keyframes))
         self.triangulate_unknown()
 
     def is_unsure(self, sigma_rad: float) -> bool:
