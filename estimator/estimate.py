@@ -9,6 +9,7 @@ from enum import StrEnum
 import numpy as np
 
 from estimator.finding import Finding
+from estimator.scale import ScaleEvidence
 from estimator.se3 import SE3, Array
 
 
@@ -71,6 +72,7 @@ class Estimate:
         matches: Cross-camera matches that the newest window used; empty between windows.
         stage_s: Wall seconds of this update by stage.
         findings: What was noticed and still holds.
+        scale: Where the metres come from and how sure they are; None before anything is learnt.
     """
 
     stamp_ns: int
@@ -81,3 +83,4 @@ class Estimate:
     matches: Sequence[Match] = ()
     stage_s: Mapping[str, float] = field(default_factory=dict)
     findings: Sequence[Finding] = ()
+    scale: ScaleEvidence | None = None

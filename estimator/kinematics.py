@@ -1,9 +1,9 @@
 """The rear axle rolls where it points: what turns and the car's build say of metres.
 
-In the ego frame, whose origin lies under the rear axle, the car does not move sideways. In a turn the cameras,
-which sit elsewhere, do, by so many metres a radian: that fixes scale. Tyres slip and mounts are not exact, and
-both err the same way for metres on end; so each window has two unknowns of its own for them, and straight
-driving teaches nothing. Holds in reverse.
+In the ego frame, whose origin lies under the rear axle, the car does not move sideways. In a turn the
+cameras, which sit elsewhere, do, by so many metres a radian: that fixes scale. Tyres slip and mounts are not
+exact, and both err the same way for metres on end; so each window has two unknowns of its own for them, and
+straight driving teaches nothing. Holds in reverse.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from estimator.se3 import SE3, Array, skew
 class RearAxleConfig(Config):
     """How a rear axle rolls.
 
-    ``slip_rad_per_mps2`` is the slip angle that a metre per second squared of sideways acceleration costs: with the
-    cornering stiffness of car tyres, 10 to 25 times their load a radian, 4 to 10 mrad.
+    ``slip_rad_per_mps2`` is the slip angle that a metre per second squared of sideways acceleration costs:
+    with the cornering stiffness of car tyres, 10 to 25 times their load a radian, 4 to 10 mrad.
     """
 
     heading_sigma_rad: float = 0.005  # of the true axle against the ego frame

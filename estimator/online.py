@@ -12,6 +12,7 @@ from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
 from estimator.path import Path
 from estimator.rig import Rig
+from estimator.scale import ScaleInformation, after_window, scale_evidence
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
@@ -38,6 +39,7 @@ class OnlineEstimator:
 
     Attributes:
         belief: The extrinsics as known so far.
+        scale_information: What each source has said of scale so far.
         path: Where the car was, in a world of the estimator's own.
         newest_keyframe: The newest bundle, if it was kept as a keyframe.
         started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
@@ -46,6 +48,7 @@ class OnlineEstimator:
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
         self.config = config or OnlineConfig()
         self.belief = Belief.nominal(rig)
+        self.scale_information: ScaleInformation = {}
         self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
         self._keyframes: list[Keyframe] = []
@@ -91,9 +94,9 @@ class OnlineEstimator:
         """Whether any window has been solved."""
         return self._newest is not None
 
-    def final_answer(self, belief: Belief) -> Estimate:
+    def final_answer(self, belief: Belief, scale_information: ScaleInformation) -> Estimate:
         """Return what ``close`` would, had the windows taught this belief."""
-        self.belief = belief
+        self.belief, self.scale_information = belief, scale_information
         return self._estimate(Stopwatch(), (), closing=True)
 
     def _window_length(self) -> int:
@@ -110,6 +113,7 @@ class OnlineEstimator:
             return ()
         with stopwatch.stage("fuse"):
             self.belief = result.belief
+            self.scale_information = after_window(self.scale_information, result.scale_information)
             self._correct_motion(keyframes, result)
             self._newest = result
             for name, count in result.inlier_count.items():
@@ -153,6 +157,7 @@ class OnlineEstimator:
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,
+            scale=scale_evidence(self.scale_information, self.config.shared_scale_sigma),
         )
 
     def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:

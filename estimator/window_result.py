@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from estimator.config import Config
 from estimator.estimate import Match
 from estimator.matches import cross_camera_matches
 from estimator.observations import Mask, Observations
+from estimator.scale import ScaleInformation
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
 
@@ -35,6 +36,7 @@ class WindowResult:
         link_count: By camera, those among them that tie it to another camera.
         median_px: Median reprojection error.
         matches: Landmarks that two cameras share, for people to look at.
+        scale_information: What each source of it said of scale.
     """
 
     belief: Belief
@@ -43,6 +45,7 @@ class WindowResult:
     link_count: dict[str, int]
     median_px: float
     matches: tuple[Match, ...]
+    scale_information: ScaleInformation = field(default_factory=dict)
 
     def path_from(self, world_from_first: SE3) -> list[SE3]:
         """Return the car's poses at the keyframes if it was there at the first."""
