@@ -42,7 +42,7 @@ def in_corridor(scene: Scene, points_world: Array) -> Mask:
 
 
 def _beside_the_car(scene: Scene, points_world: Array) -> tuple[Index, Array]:
-    """Return (N,) keyframes at which the car came nearest to points, and (N, 3) the points in its ego frame."""
+    """Return (N,) the keyframes where the car came nearest to points, and (N, 3) the points in its frame."""
     local = np.stack([pose.inverse().apply(points_world) for pose in scene.world_from_egos])
     distance_m = np.hypot(local[..., 0] - _MIDDLE_M, local[..., 1])
     nearest = np.argmin(np.nan_to_num(distance_m, nan=np.inf), axis=0)

@@ -27,9 +27,11 @@ COVARIANCE = Belief.nominal(TRUTH).covariance
 
 
 def adjusted(scene: Scene, seen: Observations, covariance: np.ndarray, *, fixed_poses: bool) -> Adjusted:
+    """Adjust; along a fixed path without the road, which ties the ego frame to the ground."""
     belief = Belief(scene.rig, covariance)
+    road = on_road(SCENE) & (not fixed_poses)
     return adjust(
-        scene, seen, on_road(SCENE), belief, Loss(2.0), CONFIG, fixed_poses=fixed_poses, want_covariance=True
+        scene, seen, road, belief, Loss(2.0), CONFIG, fixed_poses=fixed_poses, want_covariance=True
     )
 
 
