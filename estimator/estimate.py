@@ -24,6 +24,10 @@ class Status(StrEnum):
     LOST = "lost"
 
 
+Axes = tuple[bool, bool, bool, bool, bool, bool]
+ALL_AXES: Axes = (True, True, True, True, True, True)
+
+
 @dataclass(frozen=True, eq=False)
 class CameraEstimate:
     """One camera's pose.
@@ -33,12 +37,17 @@ class CameraEstimate:
         covariance: (6, 6), tangent (rotation rad, translation m) of the right perturbation: camera frame.
         status: How far to rely on it.
         inlier_count: Observations by this camera that support the estimate so far.
+        observed: For each axis of the covariance (rx, ry, rz, tx, ty, tz), whether the drive itself has made
+            it observable, and not the prior; None if the estimator does not say.
+        weak_axes: What is not observed, in words: pitch, yaw, roll, forward, sideways, height.
     """
 
     ego_from_cam: SE3
     covariance: Array
     status: Status
     inlier_count: int = 0
+    observed: Axes | None = None
+    weak_axes: tuple[str, ...] = ()
 
     @property
     def sigma(self) -> Array:

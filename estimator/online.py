@@ -7,9 +7,10 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
-from estimator.estimate import CameraEstimate, Estimate, Match, Status
+from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Estimate, Match, Status
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
+from estimator.observability import ObservabilityConfig, observed_axes, weak_words
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation, after_window, scale_evidence
@@ -30,6 +31,7 @@ class OnlineConfig(Config):
     pace: PaceConfig = PaceConfig()
     shared_scale_sigma: float = 0.002
     status: StatusConfig = StatusConfig()
+    observability: ObservabilityConfig = ObservabilityConfig()
 
 
 class OnlineEstimator:
@@ -161,18 +163,31 @@ class OnlineEstimator:
         )
 
     def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:
+        observed, weak_axes = self._observed(name)
         return CameraEstimate(
             self.belief.rig[name].ego_from_cam,
             stated.camera_covariance(name),
-            self._status(name, stated),
+            self._status(name, stated, observed),
             self._inliers[name],
+            observed,
+            weak_axes,
         )
 
-    def _status(self, name: str, stated: Belief) -> Status:
+    def _observed(self, name: str) -> tuple[Axes, tuple[str, ...]]:
+        """Return which axes the drive has shown, and the others in words."""
+        if name == self.belief.rig.reference:
+            return ALL_AXES, ()
+        covariance, prior = self.belief.camera_covariance(name), self._nominal.prior.covariance
+        observed = observed_axes(covariance, prior, self.config.observability)
+        pose = self.belief.rig[name].ego_from_cam
+        return observed, weak_words(observed, covariance, prior, pose, self.config.observability)
+
+    def _status(self, name: str, stated: Belief, observed: Axes) -> Status:
         if name == self.belief.rig.reference:
             return Status.CONVERGED
         if self._newest is None:
             return Status.INITIALISING
         missed = self._front_end.trackers[name].missed_count
         newest = self._newest.inlier_count[name]
-        return judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)
+        links = self._links[name]
+        return judge(name, stated, self._nominal, links, newest, missed, self.config.status, observed)

@@ -30,9 +30,7 @@ def adjusted(scene: Scene, seen: Observations, covariance: np.ndarray, *, fixed_
     """Adjust; along a fixed path without the road, which ties the ego frame to the ground."""
     belief = Belief(scene.rig, covariance)
     road = on_road(SCENE) & (not fixed_poses)
-    return adjust(
-        scene, seen, road, belief, Loss(2.0), CONFIG, fixed_poses=fixed_poses, want_covariance=True
-    )
+    return adjust(scene, seen, road, belief, Loss(2.0), CONFIG, fixed_poses=fixed_poses, want_covariance=True)
 
 
 def assert_same_cameras(found: Rig, wanted: Rig, atol: float) -> None:
