@@ -60,7 +60,7 @@ def slip_key() -> int:
 
 
 def to_gtsam(pose: SE3) -> gtsam.Pose3:
-    return gtsam.Pose3(gtsam.Rot3(pose.rotation), pose.translation)
+    return gtsam.Pose3(gtsam.Rot3.ClosestTo(pose.rotation), pose.translation)
 
 
 def from_gtsam(pose: gtsam.Pose3) -> SE3:
