@@ -14,7 +14,7 @@ from estimator.se3 import Array
 
 _HALF_WIDTH_M = 1.4
 _BEYOND_ENDS_M = 5.0
-_MIDDLE_M = 0.0  # ahead of the rear axle
+_MIDDLE_M = 1.35  # of the wheelbase, ahead of the rear axle: between its wheels a car knows the road best
 _MIN_SLOPE = 0.2
 
 

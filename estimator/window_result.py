@@ -51,7 +51,7 @@ class WindowResult:
         """Return the car's poses at the keyframes if it was there at the first.
 
         Each window hands its last pose on to the next one, so what rounding does to a rotation would grow
-        from window to window, within a hundred metres to what can be seen: here they are made rotations again.
+        from window to window, within a hundred metres to what can be seen; so they are made rotations again.
         """
         world_from_window = world_from_first @ self.world_from_egos[0].inverse()
         poses = [world_from_window @ pose for pose in self.world_from_egos]
