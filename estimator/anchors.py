@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from estimator.bundle import Image
+from estimator.corridor import road_up
 from estimator.observations import Index, Mask, Observations
 from estimator.patches import normalised, sample_patches
 from estimator.scene import Scene
@@ -90,7 +91,7 @@ def _candidate_normals(scene: Scene, middle: Observations, points: Array) -> Arr
     heading = np.arctan2(rotation[:, 1, 0], rotation[:, 0, 0])
     angle = heading[:, None] + np.deg2rad([0.0, 45.0, 90.0, 135.0])
     walls = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], -1)
-    up = np.broadcast_to([0.0, 0.0, 1.0], (len(points), 1, 3))
+    up = road_up(scene, points)[:, None]
     normals = np.concatenate([up, walls, view[:, None]], 1)
     facing = np.einsum("lki,li->lk", normals, view)
     normals = normals * np.where(facing < 0, -1.0, 1.0)[..., None]

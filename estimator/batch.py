@@ -16,6 +16,7 @@ from estimator.factors import GraphConfig
 from estimator.keyframe import Keyframe
 from estimator.online import OnlineConfig, OnlineEstimator
 from estimator.rig import Rig
+from estimator.scale import ScaleInformation, after_window
 from estimator.stopwatch import Stopwatch
 from estimator.window import WindowCalibration
 from estimator.window_config import WindowConfig
@@ -45,6 +46,7 @@ class BatchEstimator:
         self.config = config or BatchConfig()
         self._online = OnlineEstimator(rig, self.config.online)
         self._belief = Belief.nominal(rig)
+        self._scale_information: ScaleInformation = {}
         self._has_learnt = False
         self._segment: list[Keyframe] = []
 
@@ -65,7 +67,9 @@ class BatchEstimator:
         """Adjust what is left of the drive, and answer with all that the segments taught."""
         answer = self._online.close()
         self._adjust_segment()
-        return self._online.final_answer(self._belief) if self._has_learnt else answer
+        if not self._has_learnt:
+            return answer
+        return self._online.final_answer(self._belief, self._scale_information)
 
     def _adjust_segment(self) -> None:
         """Adjust a segment as one window that starts from what the online estimator knows."""
@@ -81,5 +85,6 @@ class BatchEstimator:
         ).run()
         if result is not None:
             self._belief, self._has_learnt = result.belief, True
+            self._scale_information = after_window(self._scale_information, result.scale_information)
             corrected = result.path_from(keyframes[0].world_from_ego)
             self._online.path.correct([k.stamp_ns for k in keyframes], corrected)

@@ -9,6 +9,7 @@ from enum import StrEnum
 import numpy as np
 
 from estimator.finding import Finding
+from estimator.scale import ScaleEvidence
 from estimator.se3 import SE3, Array
 
 
@@ -23,6 +24,10 @@ class Status(StrEnum):
     LOST = "lost"
 
 
+Axes = tuple[bool, bool, bool, bool, bool, bool]
+ALL_AXES: Axes = (True, True, True, True, True, True)
+
+
 @dataclass(frozen=True, eq=False)
 class CameraEstimate:
     """One camera's pose.
@@ -32,12 +37,17 @@ class CameraEstimate:
         covariance: (6, 6), tangent (rotation rad, translation m) of the right perturbation: camera frame.
         status: How far to rely on it.
         inlier_count: Observations by this camera that support the estimate so far.
+        observed: For each axis of the covariance (rx, ry, rz, tx, ty, tz), whether the drive itself has made
+            it observable, and not the prior; None if the estimator does not say.
+        weak_axes: What is not observed, in words: pitch, yaw, roll, forward, sideways, height.
     """
 
     ego_from_cam: SE3
     covariance: Array
     status: Status
     inlier_count: int = 0
+    observed: Axes | None = None
+    weak_axes: tuple[str, ...] = ()
 
     @property
     def sigma(self) -> Array:
@@ -71,6 +81,7 @@ class Estimate:
         matches: Cross-camera matches that the newest window used; empty between windows.
         stage_s: Wall seconds of this update by stage.
         findings: What was noticed and still holds.
+        scale: Where the metres come from and how sure they are; None before anything is learnt.
     """
 
     stamp_ns: int
@@ -81,3 +92,4 @@ class Estimate:
     matches: Sequence[Match] = ()
     stage_s: Mapping[str, float] = field(default_factory=dict)
     findings: Sequence[Finding] = ()
+    scale: ScaleEvidence | None = None

@@ -12,6 +12,7 @@ import numpy as np
 
 from estimator.belief import Belief
 from estimator.config import Config
+from estimator.kinematics import RearAxleConfig, add_rear_axle
 from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
@@ -26,6 +27,10 @@ class GraphConfig(Config):
     road_sigma_m: float = 0.02
     ride_height_sigma_m: float = 0.02
     ride_tilt_sigma_rad: float = 0.01
+    road_bend_per_m: float = 0.01
+    level_sigma_rad: float = 0.1
+    level_height_sigma_m: float = 0.5
+    rear_axle: RearAxleConfig = RearAxleConfig()
     iterations: int = 12
     relative_tolerance: float = 1e-3
 
@@ -42,8 +47,12 @@ def landmark_key(landmark: int) -> int:
     return int(gtsam.symbol("l", landmark))
 
 
+def slip_key() -> int:
+    return int(gtsam.symbol("s", 0))
+
+
 def to_gtsam(pose: SE3) -> gtsam.Pose3:
-    return gtsam.Pose3(gtsam.Rot3(pose.rotation), pose.translation)
+    return gtsam.Pose3(gtsam.Rot3.ClosestTo(pose.rotation), pose.translation)
 
 
 def from_gtsam(pose: gtsam.Pose3) -> SE3:
@@ -53,24 +62,33 @@ def from_gtsam(pose: gtsam.Pose3) -> SE3:
 def add_poses(
     graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene, config: GraphConfig, fixed: bool
 ) -> None:
-    tilt, height = config.ride_tilt_sigma_rad, config.ride_height_sigma_m
+    tilt, height = config.level_sigma_rad, config.level_height_sigma_m
     gauge = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e-5, 1e-4, 1e-4, height]))
     ride = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e3, 1e3, 1e3, height]))
     rigid = gtsam.noiseModel.Isotropic.Sigma(6, 1e-6)
     for index, pose in enumerate(scene.world_from_egos):
         values.insert(pose_key(index), to_gtsam(pose))
-        level = to_gtsam(_levelled(pose))
+        level = to_gtsam(flattened(pose))
         if fixed:
             graph.add(gtsam.PriorFactorPose3(pose_key(index), to_gtsam(pose), rigid))
         else:
             graph.add(gtsam.PriorFactorPose3(pose_key(index), level, ride if index else gauge))
 
 
-def _levelled(pose: SE3) -> SE3:
+def flattened(pose: SE3) -> SE3:
     """Return the pose with its heading and place kept, upright on z = 0."""
     heading = np.arctan2(pose.rotation[1, 0], pose.rotation[0, 0])
     flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0])).rotation
     return SE3(flat, pose.translation * np.array([1.0, 1.0, 0.0]))
+
+
+def add_kinematics(
+    graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene, config: GraphConfig
+) -> None:
+    poses = scene.world_from_egos
+    if scene.stamps_ns:
+        keys = [pose_key(index) for index in range(len(poses))]
+        add_rear_axle(graph, values, poses, scene.stamps_ns, keys, slip_key(), config.rear_axle)
 
 
 def add_landmarks(
@@ -78,14 +96,8 @@ def add_landmarks(
     values: gtsam.Values,
     scene: Scene,
     observations: Observations,
-    on_road: Mask,
     indeterminate: Mask,
-    config: GraphConfig,
 ) -> None:
-    road = gtsam.noiseModel.Robust.Create(
-        gtsam.noiseModel.mEstimator.Cauchy.Create(1.0),
-        gtsam.noiseModel.Diagonal.Sigmas(np.array([1e3, 1e3, config.road_sigma_m])),
-    )
     centre = np.mean([p.translation for p in scene.world_from_egos], axis=0)
     for index in np.unique(observations.landmark):
         point = scene.points_world[index]
@@ -95,8 +107,6 @@ def add_landmarks(
         share = 0.3 if indeterminate[index] else 20.0
         far = gtsam.noiseModel.Isotropic.Sigma(3, share * max(1.0, float(np.linalg.norm(point - centre))))
         graph.add(gtsam.PriorFactorPoint3(landmark_key(index), point, far))
-        if on_road[index]:
-            graph.add(gtsam.PriorFactorPoint3(landmark_key(index), point * np.array([1, 1, 0]), road))
 
 
 def add_sightings(

@@ -11,6 +11,7 @@ from estimator.belief import Belief
 from estimator.factors import (
     GraphConfig,
     add_cameras,
+    add_kinematics,
     add_landmarks,
     add_poses,
     add_sightings,
@@ -23,6 +24,9 @@ from estimator.factors import (
 from estimator.landmark_information import indeterminate_landmarks
 from estimator.loss import Loss
 from estimator.observations import Mask, Observations
+from estimator.road_planes import add_road
+from estimator.scale import BELIEF, REAR_AXLE, ROAD, ScaleInformation
+from estimator.scale_information import scale_information
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -35,10 +39,12 @@ class Adjusted:
         scene: The adjusted values.
         covariance: (6 C, 6 C) of the C estimated cameras' extrinsics in the rig's order, right perturbation
             of ``scene.rig``; empty if not asked for.
+        scale_information: What each source says of scale; empty if no covariance was asked for.
     """
 
     scene: Scene
     covariance: Array
+    scale_information: ScaleInformation
 
 
 def adjust(
@@ -57,7 +63,7 @@ def adjust(
     Args:
         scene: Starting values. Landmarks without a value must have no observation.
         observations: What was seen.
-        on_road: (M,) landmarks believed to lie on the road, world z = 0 within a few centimetres.
+        on_road: (M,) landmarks believed to lie on the road, within a few centimetres.
         belief: What is known of the extrinsics so far: the prior.
         loss: Robust loss.
         config: Beliefs and limits.
@@ -73,15 +79,24 @@ def adjust(
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
     add_poses(graph, values, scene, config, fixed_poses)
     indeterminate = indeterminate_landmarks(scene, observations, loss)
-    add_landmarks(graph, values, scene, observations, on_road, indeterminate, config)
+    add_landmarks(graph, values, scene, observations, indeterminate)
     add_sightings(graph, scene, observations, loss)
-    add_cameras(graph, values, scene, belief)
+    sources = {name: gtsam.NonlinearFactorGraph() for name in (ROAD, REAR_AXLE, BELIEF)}
+    add_road(sources[ROAD], values, scene, observations, on_road, config)
+    add_cameras(sources[BELIEF], values, scene, belief)
+    if not fixed_poses:
+        add_kinematics(sources[REAR_AXLE], values, scene, config)
+    for source in sources.values():
+        graph.push_back(source)
     parameters = gtsam.LevenbergMarquardtParams()
     parameters.setMaxIterations(config.iterations)
     parameters.setRelativeErrorTol(config.relative_tolerance)
     values = gtsam.LevenbergMarquardtOptimizer(graph, values, parameters).optimize()
-    covariance = _covariance(graph, values, scene) if want_covariance else np.zeros((0, 0))
-    return Adjusted(_read_back(values, scene, observations), covariance)
+    adjusted = _read_back(values, scene, observations)
+    if not want_covariance:
+        return Adjusted(adjusted, np.zeros((0, 0)), {})
+    covariance = _covariance(graph, values, scene)
+    return Adjusted(adjusted, covariance, scale_information(sources, values, adjusted))
 
 
 def _covariance(graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene) -> Array:

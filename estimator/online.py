@@ -7,11 +7,13 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
-from estimator.estimate import CameraEstimate, Estimate, Match, Status
+from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Estimate, Match, Status
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
+from estimator.observability import ObservabilityConfig, observed_axes, weak_words
 from estimator.path import Path
 from estimator.rig import Rig
+from estimator.scale import ScaleInformation, after_window, scale_evidence
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
@@ -29,6 +31,7 @@ class OnlineConfig(Config):
     pace: PaceConfig = PaceConfig()
     shared_scale_sigma: float = 0.002
     status: StatusConfig = StatusConfig()
+    observability: ObservabilityConfig = ObservabilityConfig()
 
 
 class OnlineEstimator:
@@ -38,6 +41,7 @@ class OnlineEstimator:
 
     Attributes:
         belief: The extrinsics as known so far.
+        scale_information: What each source has said of scale so far.
         path: Where the car was, in a world of the estimator's own.
         newest_keyframe: The newest bundle, if it was kept as a keyframe.
         started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
@@ -46,6 +50,7 @@ class OnlineEstimator:
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
         self.config = config or OnlineConfig()
         self.belief = Belief.nominal(rig)
+        self.scale_information: ScaleInformation = {}
         self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
         self._keyframes: list[Keyframe] = []
@@ -91,9 +96,9 @@ class OnlineEstimator:
         """Whether any window has been solved."""
         return self._newest is not None
 
-    def final_answer(self, belief: Belief) -> Estimate:
+    def final_answer(self, belief: Belief, scale_information: ScaleInformation) -> Estimate:
         """Return what ``close`` would, had the windows taught this belief."""
-        self.belief = belief
+        self.belief, self.scale_information = belief, scale_information
         return self._estimate(Stopwatch(), (), closing=True)
 
     def _window_length(self) -> int:
@@ -110,6 +115,7 @@ class OnlineEstimator:
             return ()
         with stopwatch.stage("fuse"):
             self.belief = result.belief
+            self.scale_information = after_window(self.scale_information, result.scale_information)
             self._correct_motion(keyframes, result)
             self._newest = result
             for name, count in result.inlier_count.items():
@@ -154,21 +160,35 @@ class OnlineEstimator:
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,
+            scale=scale_evidence(self.scale_information, self.config.shared_scale_sigma),
         )
 
     def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:
+        observed, weak_axes = self._observed(name)
         return CameraEstimate(
             self.belief.rig[name].ego_from_cam,
             stated.camera_covariance(name),
-            self._status(name, stated),
+            self._status(name, stated, observed),
             self._inliers[name],
+            observed,
+            weak_axes,
         )
 
-    def _status(self, name: str, stated: Belief) -> Status:
+    def _observed(self, name: str) -> tuple[Axes, tuple[str, ...]]:
+        """Return which axes the drive has shown, and the others in words."""
+        if name == self.belief.rig.reference:
+            return ALL_AXES, ()
+        covariance, prior = self.belief.camera_covariance(name), self._nominal.prior.covariance
+        observed = observed_axes(covariance, prior, self.config.observability)
+        pose = self.belief.rig[name].ego_from_cam
+        return observed, weak_words(observed, covariance, prior, pose, self.config.observability)
+
+    def _status(self, name: str, stated: Belief, observed: Axes) -> Status:
         if name == self.belief.rig.reference:
             return Status.CONVERGED
         if self._newest is None:
             return Status.INITIALISING
         missed = self._front_end.trackers[name].missed_count
         newest = self._newest.inlier_count[name]
-        return judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)
+        links = self._links[name]
+        return judge(name, stated, self._nominal, links, newest, missed, self.config.status, observed)

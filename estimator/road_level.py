@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from estimator.corridor import in_corridor, road_landmarks
+from estimator.corridor import in_corridor, road_height_m, road_landmarks
 from estimator.observations import Mask, Observations
 from estimator.road import MIN_SLOPE, MIN_SUPPORT, densest_scale, road_scale
 from estimator.scene import Scene
@@ -53,7 +53,7 @@ def level_on_road(
     world_from_road = _fit_plane(scaled, scaled.points_world[landmark[near]])
     levelled = _transformed(scaled, world_from_road.inverse(), 1.0)
     on_road = np.zeros(len(scene.points_world), bool)
-    on_road[landmark[near]] = np.abs(levelled.points_world[landmark[near], 2]) < 0.08
+    on_road[landmark[near]] = np.abs(road_height_m(levelled, levelled.points_world[landmark[near]])) < 0.08
     return levelled, on_road
 
 
@@ -73,9 +73,7 @@ def rescale_on_road(scene: Scene, observations: Observations, prior_sigma: float
         return scene
     reference = scene.rig[scene.rig.reference].ego_from_cam
     camera_height_m = float(reference.translation[2])
-    depth = (
-        np.mean([(p @ reference).translation[2] for p in scene.world_from_egos]) - scene.points_world[near, 2]
-    )
+    depth = camera_height_m - road_height_m(scene, scene.points_world[near])
     scale = densest_scale(depth, np.ones(len(depth)), camera_height_m, _FINE_BANDWIDTH, prior_sigma)
     if scale is None:
         return scene

@@ -23,11 +23,13 @@ class Scene:
         rig: Cameras with their present extrinsics.
         world_from_egos: Pose of the car at each keyframe; the road is near world z = 0.
         points_world: (M, 3) landmarks; NaN where unknown.
+        stamps_ns: When each keyframe was; empty where nobody asks how fast the car went.
     """
 
     rig: Rig
     world_from_egos: tuple[SE3, ...]
     points_world: Array
+    stamps_ns: tuple[int, ...] = ()
 
     def camera_pose(self, camera: int, keyframe: int) -> SE3:
         """Return ``world_from_cam`` of one camera at one keyframe."""

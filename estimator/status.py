@@ -6,7 +6,7 @@ import numpy as np
 
 from estimator.belief import Belief
 from estimator.config import Config
-from estimator.estimate import Status
+from estimator.estimate import Axes, Status
 from estimator.rig import Rig
 
 
@@ -29,12 +29,14 @@ def judge(
     newest_sightings: int,
     missed_bundles: int,
     config: StatusConfig,
+    observed: Axes,
 ) -> Status:
     """Return the status of an estimated camera once a window has been solved.
 
-    Converged means: stated sigma small, enough sightings shared with other cameras, and an answer that the
-    prior of the rig file does not rule out. One that it does rule out comes from wrong intrinsics or from a
-    rig file that belongs to another car, and is weak however small its sigma.
+    Converged means: stated sigma small, every axis observed by the drive itself, enough sightings shared with
+    other cameras, and an answer that the prior of the rig file does not rule out. One that it does rule out
+    comes from wrong intrinsics or from a rig file that belongs to another car, and is weak however small its
+    sigma.
 
     Args:
         name: A camera other than the reference.
@@ -44,6 +46,7 @@ def judge(
         newest_sightings: Sightings by this camera that the newest window believed.
         missed_bundles: How many bundles in a row came without its image.
         config: Thresholds.
+        observed: Which axes the drive has made observable.
     """
     if missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings:
         return Status.LOST
@@ -52,6 +55,7 @@ def judge(
     sure = (
         belief.rotation_sigma_rad(name) < config.rotation_rad
         and belief.translation_sigma_m(name) < config.translation_m
+        and all(observed)
         and links >= config.min_links
         and surprise < config.prior_chi2
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from estimator.config import Config
 from estimator.estimate import Match
 from estimator.matches import cross_camera_matches
 from estimator.observations import Mask, Observations
+from estimator.scale import ScaleInformation
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
 
@@ -35,6 +36,7 @@ class WindowResult:
         link_count: By camera, those among them that tie it to another camera.
         median_px: Median reprojection error.
         matches: Landmarks that two cameras share, for people to look at.
+        scale_information: What each source of it said of scale.
     """
 
     belief: Belief
@@ -43,11 +45,17 @@ class WindowResult:
     link_count: dict[str, int]
     median_px: float
     matches: tuple[Match, ...]
+    scale_information: ScaleInformation = field(default_factory=dict)
 
     def path_from(self, world_from_first: SE3) -> list[SE3]:
-        """Return the car's poses at the keyframes if it was there at the first."""
+        """Return the car's poses at the keyframes if it was there at the first.
+
+        Each window hands its last pose on to the next one, so what rounding does to a rotation would grow
+        from window to window, within a hundred metres to what can be seen; so they are made rotations again.
+        """
         world_from_window = world_from_first @ self.world_from_egos[0].inverse()
-        return [world_from_window @ pose for pose in self.world_from_egos]
+        poses = [world_from_window @ pose for pose in self.world_from_egos]
+        return [SE3.from_quaternion_xyzw(pose.quaternion_xyzw, pose.translation) for pose in poses]
 
 
 def conclude(

@@ -17,6 +17,7 @@ from estimator.keyframe import Keyframe, gather_observations
 from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.rig import Rig
+from estimator.scale import ScaleInformation
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -30,6 +31,7 @@ class WindowState:
         images: By keyframe and camera.
         tracks: What each camera saw by itself, of landmarks that are numbered without gaps.
         scene: Poses, extrinsics and landmarks; world is the first keyframe's ego frame.
+        scale_information: What each source said of scale in the newest adjustment with a covariance.
     """
 
     def __init__(
@@ -38,6 +40,7 @@ class WindowState:
         rig = start or belief.rig
         names = list(rig.cameras)
         self.belief = belief
+        self.scale_information: ScaleInformation = {}
         self.reference = names.index(rig.reference)
         self.images: list[list[Image | None]] = [[k.images.get(n) for n in names] for k in keyframes]
         first = keyframes[0].world_from_ego.inverse()
@@ -46,7 +49,7 @@ class WindowState:
         _, landmark = np.unique(tracks.landmark, return_inverse=True)
         self.tracks = replace(tracks, landmark=np.asarray(landmark, np.int64))
         unknown = np.full((int(self.tracks.landmark.max(initial=-1)) + 1, 3), np.nan)
-        self.scene = Scene(rig, poses, unknown)
+        self.scene = Scene(rig, poses, unknown, tuple(keyframe.stamp_ns for keyframe in keyframes))
         self.triangulate_unknown()
 
     def is_unsure(self, sigma_rad: float) -> bool:
@@ -87,6 +90,7 @@ class WindowState:
             fixed_poses=fixed_poses, want_covariance=want_covariance,
         )  # fmt: skip
         self.scene = adjusted.scene
+        self.scale_information = adjusted.scale_information
         return adjusted.covariance
 
     def adjust_path(self, seen: Observations, on_road: Mask, loss: Loss, graph: GraphConfig) -> None:

@@ -18,6 +18,7 @@ from eval.plots_map import apart_figure, path_figure, rig_figure
 from eval.plots_style import CYCLE, figure_json
 from eval.plots_time import stage_figure
 from eval.report_tables import metric_groups, stage_rows
+from eval.scale import share_text
 from eval.verdict import verdict
 
 REPORT = "report.html"
@@ -71,6 +72,7 @@ def render(scores: Mapping[str, Any], data: Mapping[str, Any]) -> str:
         figures={name: figure_json(figure) for name, figure in _figures(data).items()},
         metric_groups=metric_groups(scores["metrics"], keys_for(cameras)),
         stages=stage_rows(data),
+        share_text=share_text,
         colours=CYCLE,
         plotly_js=get_plotlyjs(),
     )

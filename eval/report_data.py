@@ -19,6 +19,7 @@ from eval.paths import driven_m
 from eval.report_paths import map_paths
 from eval.report_pictures import match_pictures, moment_pictures
 from eval.report_series import error_series, stage_series
+from eval.scale import scale_data
 from eval.tables import status_changes
 from eval.truth import TruthTrack
 
@@ -38,6 +39,7 @@ def report_data(log: RunLog, header: RunHeader, truth: TruthTrack | None) -> dic
         "rows": [front, rear],
         "cameras": {name: _camera(name, log, truth) for name in log.rig.cameras},
         "series": error_series(log, truth),
+        "scale": scale_data(log.final),
         "stages": stage_series(log),
         "paths": map_paths(log, truth),
         "moments": moment_pictures(log),
@@ -71,10 +73,12 @@ def _evidence(estimate: CameraEstimate | None, true: SE3 | None, nominal: SE3) -
         return {"status": None, "inlier_count": 0, "error": None, "start_error": _error(start)} | {
             "stated95": None,
             "inside95": None,
+            "weak_axes": [],
         }
     return {
         "status": str(estimate.status),
         "inlier_count": int(estimate.inlier_count),
+        "weak_axes": list(estimate.weak_axes),
         "error": None if true is None else _error(pose_error(estimate.ego_from_cam, true)),
         "start_error": _error(start),
         "stated95": _error(stated_error95(estimate.covariance)),

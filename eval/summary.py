@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from estimator.estimate import CameraEstimate, Status
 from eval.judge import RunResult
 from eval.metric_keys import extrinsic_key
 from eval.print_table import print_table
+from eval.scale import scale_line
 
 _COLUMNS = ("camera", "status", "rotation_deg", "translation_mm", "sigma_deg", "sigma_mm")
 
@@ -16,6 +18,9 @@ def print_summary(result: RunResult) -> None:
     rows = [_camera_row(result, camera) for camera in result.rig.estimated_names]
     rows += [(pooled, "", *_errors(result, pooled), "", "") for pooled in ("median", "worst")]
     print_table(_COLUMNS, rows, right=_COLUMNS[2:])
+    line = scale_line(result.final)
+    if line:
+        print(line)
     reason = result.metrics[extrinsic_key("worst", "rotation_deg")].reason
     if reason:
         print(f"errors are not known: {reason}")
@@ -26,7 +31,14 @@ def _camera_row(result: RunResult, camera: str) -> tuple[str, ...]:
     estimate = result.final.cameras[camera]
     sigma_deg = float(np.degrees(np.linalg.norm(estimate.sigma[:3])))
     sigma_mm = 1000 * float(np.linalg.norm(estimate.sigma[3:]))
-    return camera, estimate.status.value, *_errors(result, camera), f"{sigma_deg:.3f}", f"{sigma_mm:.1f}"
+    return camera, _status_text(estimate), *_errors(result, camera), f"{sigma_deg:.3f}", f"{sigma_mm:.1f}"
+
+
+def _status_text(estimate: CameraEstimate) -> str:
+    """Return the status, with the axes that the drive has not shown once it has shown any."""
+    if not estimate.weak_axes or estimate.status is Status.INITIALISING:
+        return estimate.status.value
+    return f"{estimate.status.value} in {', '.join(estimate.weak_axes)}"
 
 
 def _errors(result: RunResult, camera: str) -> tuple[str, str]:

@@ -10,6 +10,7 @@ import pytest
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
+from estimator.scale import ROAD
 from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
 from tests.mounts import worst_error
 
@@ -53,6 +54,15 @@ def test_it_says_that_it_knows_more_than_before(answers: Answers) -> None:
     assert first.status is Status.INITIALISING and last.status is Status.CONVERGED
     assert (last.sigma < [0.1, 0.1, 0.1, 0.5, 0.5, 0.5] * first.sigma).all()
     assert first.inlier_count == 0 and last.inlier_count > 100
+
+
+def test_it_says_where_its_metres_come_from_and_what_the_drive_has_shown(answers: Answers) -> None:
+    first, last = answers[0], answers[-1]
+    assert first.scale is None and not any(first.cameras["left_rear"].observed or ())
+    assert last.scale is not None and last.scale.share[ROAD] > 0.5 and last.scale.sigma_percent < 1.0
+    for camera in last.cameras.values():
+        assert camera.observed is not None
+        assert all(camera.observed) or camera.status is not Status.CONVERGED
 
 
 def test_the_reference_stays_and_has_no_doubt(answers: Answers) -> None:

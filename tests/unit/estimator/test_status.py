@@ -7,7 +7,7 @@ import pytest
 
 from estimator.belief import Belief
 from estimator.camera import Camera
-from estimator.estimate import Status
+from estimator.estimate import ALL_AXES, Axes, Status
 from estimator.rig import MountedCamera, Rig
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
@@ -23,10 +23,11 @@ def status(
     links: int = 500,
     missed_bundles: int = 0,
     newest: int = 500,
+    observed: Axes = ALL_AXES,
 ) -> Status:
     moved = SE3(np.eye(3), np.array([moved_m, 0.0, 0.0]))
     belief = Belief(NOMINAL.with_extrinsics({"rear": moved}), sigma**2 * np.eye(6))
-    return judge("rear", belief, NOMINAL, links, newest, missed_bundles, StatusConfig())
+    return judge("rear", belief, NOMINAL, links, newest, missed_bundles, StatusConfig(), observed)
 
 
 def test_a_sure_linked_camera_near_its_prior_has_converged() -> None:
@@ -36,6 +37,10 @@ def test_a_sure_linked_camera_near_its_prior_has_converged() -> None:
 @pytest.mark.parametrize("flaw", [{"sigma": 0.01}, {"links": 3}])
 def test_a_camera_without_enough_evidence_is_weak(flaw: dict[str, float]) -> None:
     assert status(**flaw) == Status.WEAK  # type: ignore[arg-type]
+
+
+def test_a_camera_with_an_axis_that_only_the_prior_knows_is_weak() -> None:
+    assert status(observed=(True, True, True, True, True, False)) == Status.WEAK
 
 
 def test_an_answer_that_the_prior_rules_out_is_weak_however_small_its_sigma() -> None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from estimator.observations import Observations
+from estimator.se3 import SE3
 from estimator.window_result import ResultConfig, WindowResult, conclude
 from tests.known_scene import known_scene, sightings
 from tests.mounts import arc, left_side_rig
@@ -59,3 +60,12 @@ def test_an_outlier_takes_a_landmark_s_only_other_view_with_it() -> None:
     result = concluded(replace(twice, pixels=pixels))
     assert result is not None
     assert sum(result.inlier_count.values()) == len(twice) - 2
+
+
+def test_a_path_that_is_handed_from_window_to_window_keeps_its_rotations() -> None:
+    bent = SE3(np.eye(3) + 1e-6 * np.ones((3, 3)), np.zeros(3))
+    result = concluded()
+    assert result is not None
+    result = replace(result, world_from_egos=(bent, bent @ SE3.exp(np.array([0.0, 0.0, 0.1, 1.0, 0.0, 0.0]))))
+    for pose in result.path_from(bent):
+        np.testing.assert_allclose(pose.rotation.T @ pose.rotation, np.eye(3), atol=1e-12)
