@@ -8,6 +8,7 @@ from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
 from estimator.estimate import CameraEstimate, Estimate, Match, Status
+from estimator.finding import Finding
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
 from estimator.path import Path
@@ -15,6 +16,7 @@ from estimator.rig import Rig
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
+from estimator.watch import Watch, WatchConfig, doubted
 from estimator.window import WindowCalibration
 from estimator.window_config import WindowConfig
 from estimator.window_pace import PaceConfig, is_keyframe
@@ -29,6 +31,7 @@ class OnlineConfig(Config):
     pace: PaceConfig = PaceConfig()
     shared_scale_sigma: float = 0.002
     status: StatusConfig = StatusConfig()
+    watch: WatchConfig = WatchConfig()
 
 
 class OnlineEstimator:
@@ -56,13 +59,19 @@ class OnlineEstimator:
         self._inliers = dict.fromkeys(rig.cameras, 0)
         self._links = dict.fromkeys(rig.cameras, 0)
         self._stamp_ns = 0
+        self._watch = Watch(rig, self.config.watch)
 
     def update(self, bundle: FrameBundle) -> Estimate:
         """Follow the bundle; when a window is full, calibrate from it."""
         stopwatch = Stopwatch()
-        self._stamp_ns = bundle.stamp_ns
-        self.newest_keyframe = None
+        self.newest_keyframe, self.started = None, False
+        usable = self._watch.admit(bundle)
+        if usable is None:
+            return self._estimate(stopwatch, ())
+        bundle, self._stamp_ns = usable, usable.stamp_ns
         self.started = self._front_end.advance(bundle, stopwatch)
+        with stopwatch.stage("watch"):
+            self._watch.see_bundle(bundle, self._front_end)
         if self.started:
             self.newest_keyframe = self._front_end.keyframe()
             self._keyframes = [self.newest_keyframe]
@@ -106,6 +115,8 @@ class OnlineEstimator:
             keyframes, self.belief, self.has_learnt, self.config.window, stopwatch
         )
         result = calibration.run()
+        with stopwatch.stage("watch"):
+            self._watch.see_window(keyframes, self.belief, result)
         if result is None:
             return ()
         with stopwatch.stage("fuse"):
@@ -143,7 +154,8 @@ class OnlineEstimator:
         stated = self.belief.with_scale_sigma(self.config.shared_scale_sigma)
         if self._newest is None:
             stated = self.belief
-        cameras = {name: self._camera_estimate(name, stated) for name in self.belief.rig.cameras}
+        findings = self._watch.findings()
+        cameras = {name: self._camera_estimate(name, stated, findings) for name in self.belief.rig.cameras}
         poses = self.path.poses()
         return Estimate(
             self._stamp_ns,
@@ -153,21 +165,24 @@ class OnlineEstimator:
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,
+            findings,
         )
 
-    def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:
+    def _camera_estimate(self, name: str, stated: Belief, findings: tuple[Finding, ...]) -> CameraEstimate:
         return CameraEstimate(
             self.belief.rig[name].ego_from_cam,
             stated.camera_covariance(name),
-            self._status(name, stated),
+            self._status(name, stated, findings),
             self._inliers[name],
         )
 
-    def _status(self, name: str, stated: Belief) -> Status:
+    def _status(self, name: str, stated: Belief, findings: tuple[Finding, ...]) -> Status:
+        in_doubt = name in doubted(findings, self._nominal)
         if name == self.belief.rig.reference:
-            return Status.CONVERGED
+            return Status.SUSPECT if in_doubt else Status.CONVERGED
         if self._newest is None:
             return Status.INITIALISING
         missed = self._front_end.trackers[name].missed_count
         newest = self._newest.inlier_count[name]
-        return judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)
+        status = judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)
+        return Status.SUSPECT if in_doubt and status is not Status.LOST else status
