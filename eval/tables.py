@@ -17,6 +17,7 @@ from scipy.spatial.transform import Rotation
 from estimator.estimate import CameraEstimate, Status
 from estimator.rig import Rig
 from eval.collect import RunLog
+from eval.findings import finding_events
 from eval.trajectory import Trajectory
 
 CSV_COLUMNS = (
@@ -77,9 +78,9 @@ def seconds_text(stamp_ns: int) -> str:
 
 
 def events_jsonl(log: RunLog, warnings: tuple[str, ...]) -> str:
-    """Return what happened: warnings of the reader, then every change of a camera's status."""
+    """Return what happened: warnings of the reader, then changes of status and findings in order of time."""
     events: list[dict[str, Any]] = [{"event": "warning", "text": text} for text in warnings]
-    events += status_changes(log)
+    events += sorted([*status_changes(log), *finding_events(log)], key=lambda event: event["stamp_ns"])
     return "".join(json.dumps(event) + "\n" for event in events)
 
 
