@@ -30,6 +30,22 @@ def swapped_cycles(fit: Fit, config: AssignmentConfig) -> list[tuple[int, ...]]:
     return [cycle for cycle in _cycles(mount_of.tolist()) if _is_clear(fit, cycle, config)]
 
 
+def swap_explains(fit: Fit, own: Fit, swap: tuple[int, int], config: AssignmentConfig) -> bool:
+    """Tell whether two swapped streams explain all streams, and together much more than none swapped.
+
+    Args:
+        fit: Along the path that follows from the swap.
+        own: Along the path that follows from no swap.
+        swap: The two streams.
+        config: Limits.
+    """
+    mount_of = np.arange(len(fit.share))
+    mount_of[list(swap)] = swap[::-1]
+    better = fit.share[np.arange(len(mount_of)), mount_of]
+    gain = better.mean() - own.share.diagonal().mean()
+    return bool(better.min() > config.min_share and gain > 0.5 * config.min_gain)
+
+
 def _cycles(mount_of: list[int]) -> Iterator[tuple[int, ...]]:
     """Yield the cycles of a permutation that are longer than one."""
     left = set(range(len(mount_of)))

@@ -9,6 +9,7 @@ import numpy as np
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
 from estimator.front_end import FrontEnd
+from estimator.observations import Index
 
 
 class MotionWatchConfig(Config):
@@ -29,6 +30,7 @@ class MotionWatch:
         self._unknown_since_ns: int | None = None
         self._stamp_ns = 0
         self._shift_px = 0.0
+        self._ids: Index = np.zeros(0, np.int64)
 
     def see(self, stamp_ns: int, front_end: FrontEnd) -> None:
         """Take note of a bundle that the front end has followed."""
@@ -36,9 +38,10 @@ class MotionWatch:
         reference = front_end.trackers[front_end.rig.reference]
         if not reference.current:
             return
-        moved = np.linalg.norm(reference.pixels - reference.previous_pixels, axis=1)
-        followed = (reference.previous_pixels != reference.pixels).any(1) | (moved == 0)
-        self._shift_px = float(np.median(moved[followed])) if followed.any() else 0.0
+        followed = np.isin(reference.ids, self._ids)  # the others began in this very image
+        self._ids = reference.ids
+        moved = np.linalg.norm(reference.pixels - reference.previous_pixels, axis=1)[followed]
+        self._shift_px = float(np.median(moved)) if len(moved) else 0.0
         still = len(moved) >= self._config.min_tracks and self._shift_px < self._config.still_px
         self._still_since_ns = self._since(self._still_since_ns, still)
         self._unknown_since_ns = self._since(self._unknown_since_ns, not still and not front_end.metric)

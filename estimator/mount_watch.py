@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 import numpy as np
 
-from estimator.assignment import AssignmentConfig, swapped_cycles
+from estimator.assignment import AssignmentConfig, swap_explains, swapped_cycles
 from estimator.config import Config
+from estimator.epipolar import FitConfig
 from estimator.finding import Finding, FindingKind
 from estimator.keyframe import Keyframe
 from estimator.rig import Rig
-from estimator.whose_images import Fit, FitConfig, fit_streams
+from estimator.whose_images import Fit, fit_streams
+
+_NOTHING_TO_SEE = 12  # levels
 
 
 class MountWatchConfig(Config):
@@ -26,6 +29,7 @@ class MountWatchConfig(Config):
     min_share: float = 0.4
     min_keyframes: int = 4
     max_slip_rad: float = 0.35
+    untracked_windows: int = 2
 
 
 class MountWatch:
@@ -37,6 +41,7 @@ class MountWatch:
         self._names = list(rig.cameras)
         self._fits: dict[str, deque[Fit]] = {name: deque(maxlen=config.windows) for name in self._names}
         self._slip_rad = 0.0
+        self._untracked = dict.fromkeys(self._names, 0)  # windows in a row with images and without tracks
         self._findings: tuple[Finding, ...] = ()
         height_m = float(rig[rig.reference].ego_from_cam.translation[2])
         if height_m <= 0:
@@ -48,6 +53,7 @@ class MountWatch:
             return
         self._slip_rad = slip_rad(keyframes)
         fit = fit_streams(keyframes, self._rig, self._config.fit, own_only=True)
+        self._count_untracked(keyframes, fit)
         odd = self._unexplained(fit, self._config.suspicious_share)
         if odd:
             fit = fit_streams(keyframes, self._rig, self._config.fit)
@@ -57,7 +63,7 @@ class MountWatch:
                 continue
             self._fits[name].append(
                 fit_streams(keyframes, self._rig, self._config.fit, reference_mount=name)
-                if 2 * len(odd) >= len(self._names)
+                if 2 * len(odd) >= len(self._names) - 1
                 else Fit(np.zeros_like(fit.count), fit.total)
             )
         self._findings = tuple(self._conclude())
@@ -70,17 +76,21 @@ class MountWatch:
         enough = fit.total.diagonal() >= self._config.assignment.min_tracks
         return np.flatnonzero(enough & (fit.share.diagonal() < share)).tolist()
 
+    def _count_untracked(self, keyframes: Sequence[Keyframe], fit: Fit) -> None:
+        for index, name in enumerate(self._names):
+            images = [k.images[name] for k in keyframes if name in k.images]
+            shown = 2 * sum(np.ptp(image[::8, ::8]) > _NOTHING_TO_SEE for image in images) > len(keyframes)
+            none = fit.total[index, index] < self._config.assignment.min_tracks / 3
+            self._untracked[name] = self._untracked[name] + 1 if none and shown else 0
+
     def _conclude(self) -> Iterator[Finding]:
         fits = {name: sum(some, start=_nothing(len(self._names))) for name, some in self._fits.items()}
         own = fits[self._rig.reference]
         odd = self._unexplained(own, self._config.min_share)
-        swapped: set[int] = set()
-        for reference_mount, fit in fits.items():
-            for cycle in self._cycles_with(reference_mount, fit, own):
-                swapped |= set(cycle)
-                yield self._swap(cycle, fit)
-            if swapped:
-                break
+        cycles, fit = self._swaps(fits)
+        swapped = {index for cycle in cycles for index in cycle}
+        for cycle in cycles:
+            yield self._swap(cycle, fit)
         if self._slip_rad > self._config.max_slip_rad:
             yield self._of_reference(f"the car seems to drive at {_deg(self._slip_rad)} to its own long axis")
         elif not swapped and len(odd) > 1 and 2 * len(odd) >= len(self._names) - 1:
@@ -90,23 +100,22 @@ class MountWatch:
         for index in odd:
             if index not in swapped:
                 yield self._unexplained_finding(index, own)
+        for name, windows in self._untracked.items():
+            if windows >= self._config.untracked_windows:
+                about = f"{name}: hardly a corner in it could be followed over the last {windows} windows"
+                yield Finding(FindingKind.UNEXPLAINED_IMAGES, (name,), about)
 
-    def _cycles_with(self, reference_mount: str, fit: Fit, own: Fit) -> list[tuple[int, ...]]:
-        """Return the swaps under a supposition of where the reference stream comes from.
+    def _swaps(self, fits: Mapping[str, Fit]) -> tuple[list[tuple[int, ...]], Fit]:
+        """Return the swaps, and the fit they show in: first those that concern the reference itself.
 
-        For another mount than its own, the supposition must be part of a swap and explain much more.
+        A reference stream from another mount gives a wrong path, along which other swaps only seem.
         """
-        if reference_mount == self._rig.reference:
-            return swapped_cycles(fit, self._config.assignment)
-        stream, mount = self._names.index(self._rig.reference), self._names.index(reference_mount)
-        pair = [stream, mount]
-        share = fit.share.copy()
-        order = np.arange(len(share))
-        order[pair] = order[pair[::-1]]
-        explained_now = share[np.arange(len(share)), order]
-        better = explained_now.mean() - own.share.diagonal().mean()
-        clear = explained_now.min() > self._config.assignment.min_share
-        return [(stream, mount)] if clear and better > 0.5 * self._config.assignment.min_gain else []
+        own = fits[self._rig.reference]
+        reference = self._names.index(self._rig.reference)
+        for mount, fit in enumerate(fits.values()):
+            if mount != reference and swap_explains(fit, own, (reference, mount), self._config.assignment):
+                return [(reference, mount)], fit
+        return swapped_cycles(own, self._config.assignment), own
 
     def _swap(self, cycle: tuple[int, ...], fit: Fit) -> Finding:
         names = [self._names[index] for index in cycle]

@@ -38,8 +38,9 @@ def test_a_camera_without_enough_evidence_is_weak(flaw: dict[str, float]) -> Non
     assert status(**flaw) == Status.WEAK  # type: ignore[arg-type]
 
 
-def test_an_answer_that_the_prior_rules_out_is_weak_however_small_its_sigma() -> None:
+def test_an_answer_that_belongs_to_another_rig_is_weak_however_small_its_sigma() -> None:
     assert status(moved_m=0.9) == Status.WEAK
+    assert status(moved_m=0.4) == Status.CONVERGED
 
 
 @pytest.mark.parametrize("flaw", [{"missed_bundles": 50}, {"newest": 3}])
