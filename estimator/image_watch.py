@@ -38,7 +38,7 @@ class ImageWatch:
         images = {}
         self._shape = {}
         for name, image in bundle.images.items():
-            if name not in self._rig.cameras:
+            if name not in self._rig.cameras or not isinstance(image, np.ndarray):
                 continue
             width, height = self._rig[name].camera.size_px
             if image.shape == (height, width) and image.dtype == np.uint8:
