@@ -1,7 +1,7 @@
-"""Watch cameras whose views overlap: each should find the other's landmarks.
+"""Watch cameras that look the same way side by side: each should find the other's landmarks.
 
-Two cameras side by side that look the same way fit each other's mounts, so nothing in how their own tracks
-move shows that their cables are swapped. What they share does: a landmark is then sought on the wrong side.
+They fit each other's mounts, so nothing in how their own tracks move shows that their cables are swapped.
+What they share does: a landmark is then sought on the wrong side.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ class CommonViewConfig(Config):
     """Which pairs must share landmarks, and how many windows may pass in which they share hardly any."""
 
     distance_m: float = 12.0
-    min_overlap: float = 0.4
+    min_overlap: float = 0.5
+    max_angle_rad: float = 0.35
     min_matches: int = 8
     min_sightings: int = 200
 
@@ -32,9 +33,7 @@ class CommonViewWatch:
 
     def __init__(self, rig: Rig, config: CommonViewConfig) -> None:
         self._config = config
-        self._pairs = [
-            pair for pair in combinations(rig.cameras, 2) if _overlap(rig, *pair, config) > config.min_overlap
-        ]
+        self._pairs = [pair for pair in combinations(rig.cameras, 2) if _look_alike(rig, *pair, config)]
         self._poor: dict[tuple[str, str], int] = {}
 
     def see(self, matches: Sequence[Match], sightings: Mapping[str, int]) -> None:
@@ -57,9 +56,13 @@ class CommonViewWatch:
             yield Finding(FindingKind.UNEXPLAINED_IMAGES, pair, about)
 
 
-def _overlap(rig: Rig, a: str, b: str, config: CommonViewConfig) -> float:
-    """Return the smaller of the two shares of a view that lies in the other, for things some way off."""
-    return min(_seen_by(rig, a, b, config.distance_m), _seen_by(rig, b, a, config.distance_m))
+def _look_alike(rig: Rig, a: str, b: str, config: CommonViewConfig) -> bool:
+    """Tell whether two cameras look the same way, and most of one's view lies in the other's."""
+    cosine = rig[a].ego_from_cam.rotation[:, 2] @ rig[b].ego_from_cam.rotation[:, 2]
+    if cosine < np.cos(config.max_angle_rad):
+        return False
+    share = max(_seen_by(rig, a, b, config.distance_m), _seen_by(rig, b, a, config.distance_m))
+    return share > config.min_overlap
 
 
 def _seen_by(rig: Rig, owner: str, other: str, distance_m: float) -> float:
