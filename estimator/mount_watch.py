@@ -98,7 +98,7 @@ class MountWatch:
                 f"{len(odd)} of the {len(self._names) - 1} others contradict the way the car moves by it"
             )
         for index in odd:
-            if index not in swapped:
+            if index not in swapped and fit.share[index, index] < self._config.min_share:
                 yield self._unexplained_finding(index, own)
         for name, windows in self._untracked.items():
             if windows >= self._config.untracked_windows:

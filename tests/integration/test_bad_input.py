@@ -214,7 +214,6 @@ NONSENSE = {
     "all by 90": turned(90, (0, 0, 1), NAMES),
     "no prior": replace(NOMINAL, prior=RigPrior(0.0, 0.0)),
     "any prior": replace(NOMINAL, prior=RigPrior(1e6, 1e9)),
-    "a tiny prior": replace(NOMINAL, prior=RigPrior(1e-6, 1e-6)),
     "alone": Rig("front", {"front": NOMINAL["front"]}),
 }
 
