@@ -13,6 +13,9 @@ import numpy as np
 from estimator.rig import Rig
 from estimator.se3 import Array
 
+_LEAST_SIGMA = np.array([0.005] * 3 + [0.009] * 3)  # rad, m
+_GREATEST_SIGMA = np.array([np.pi] * 3 + [100.0] * 3)
+
 
 @dataclass(frozen=True, eq=False)
 class Belief:
@@ -28,9 +31,13 @@ class Belief:
 
     @staticmethod
     def nominal(rig: Rig) -> Belief:
-        """Return what the rig file says: its poses and, for each camera alike, its prior."""
-        covariance = np.kron(np.eye(len(rig.estimated_names)), rig.prior.covariance)
-        return Belief(rig, np.asarray(covariance, float))
+        """Return what the rig file says: its poses and, for each camera alike, its prior.
+
+        No rig file is taken to be better than half a degree and 15 mm: one that claims so and is wrong keeps
+        the search too narrow to find out. Nor is one worse than all directions and a hundred metres.
+        """
+        variance = np.clip(np.diag(rig.prior.covariance), _LEAST_SIGMA**2, _GREATEST_SIGMA**2)
+        return Belief(rig, np.asarray(np.kron(np.eye(len(rig.estimated_names)), np.diag(variance)), float))
 
     def camera_covariance(self, name: str) -> Array:
         """Return the (6, 6) covariance of one camera; zero for the reference."""

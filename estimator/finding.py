@@ -9,6 +9,7 @@ from enum import StrEnum
 class FindingKind(StrEnum):
     """What may be wrong, with the recording, the rig file or a camera."""
 
+    NO_IMAGE = "no_image"
     NO_TEXTURE = "no_texture"
     FROZEN_IMAGE = "frozen_image"
     SWAPPED_CAMERAS = "swapped_cameras"

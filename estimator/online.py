@@ -8,6 +8,7 @@ from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
 from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Estimate, Match, Status
+from estimator.finding import Finding
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
@@ -17,6 +18,7 @@ from estimator.scale import ScaleInformation, after_window, scale_evidence
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
+from estimator.watch import Watch, WatchConfig, doubted
 from estimator.window import WindowCalibration
 from estimator.window_config import WindowConfig
 from estimator.window_pace import PaceConfig, is_keyframe
@@ -32,6 +34,7 @@ class OnlineConfig(Config):
     shared_scale_sigma: float = 0.002
     status: StatusConfig = StatusConfig()
     observability: ObservabilityConfig = ObservabilityConfig()
+    watch: WatchConfig = WatchConfig()
 
 
 class OnlineEstimator:
@@ -61,13 +64,19 @@ class OnlineEstimator:
         self._inliers = dict.fromkeys(rig.cameras, 0)
         self._links = dict.fromkeys(rig.cameras, 0)
         self._stamp_ns = 0
+        self._watch = Watch(rig, self.config.watch)
 
     def update(self, bundle: FrameBundle) -> Estimate:
         """Follow the bundle; when a window is full, calibrate from it."""
         stopwatch = Stopwatch()
-        self._stamp_ns = bundle.stamp_ns
-        self.newest_keyframe = None
+        self.newest_keyframe, self.started = None, False
+        usable = self._watch.admit(bundle)
+        if usable is None:
+            return self._estimate(stopwatch, ())
+        bundle, self._stamp_ns = usable, usable.stamp_ns
         self.started = self._front_end.advance(bundle, stopwatch)
+        with stopwatch.stage("watch"):
+            self._watch.see_bundle(bundle, self._front_end)
         if self.started:
             self.newest_keyframe = self._front_end.keyframe()
             self._keyframes = [self.newest_keyframe]
@@ -111,6 +120,8 @@ class OnlineEstimator:
             keyframes, self.belief, self.has_learnt, self.config.window, stopwatch
         )
         result = calibration.run()
+        with stopwatch.stage("watch"):
+            self._watch.see_window(keyframes, self.belief, result)
         if result is None:
             return ()
         with stopwatch.stage("fuse"):
@@ -150,7 +161,8 @@ class OnlineEstimator:
         stated = self.belief.with_scale_sigma(self.config.shared_scale_sigma)
         if self._newest is None:
             stated = self.belief
-        cameras = {name: self._camera_estimate(name, stated) for name in self.belief.rig.cameras}
+        findings = self._watch.findings()
+        cameras = {name: self._camera_estimate(name, stated, findings) for name in self.belief.rig.cameras}
         poses = self.path.poses()
         return Estimate(
             self._stamp_ns,
@@ -160,15 +172,16 @@ class OnlineEstimator:
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,
+            findings,
             scale=scale_evidence(self.scale_information, self.config.shared_scale_sigma),
         )
 
-    def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:
+    def _camera_estimate(self, name: str, stated: Belief, findings: tuple[Finding, ...]) -> CameraEstimate:
         observed, weak_axes = self._observed(name)
         return CameraEstimate(
             self.belief.rig[name].ego_from_cam,
             stated.camera_covariance(name),
-            self._status(name, stated, observed),
+            self._status(name, stated, observed, findings),
             self._inliers[name],
             observed,
             weak_axes,
@@ -183,12 +196,14 @@ class OnlineEstimator:
         pose = self.belief.rig[name].ego_from_cam
         return observed, weak_words(observed, covariance, prior, pose, self.config.observability)
 
-    def _status(self, name: str, stated: Belief, observed: Axes) -> Status:
+    def _status(self, name: str, stated: Belief, observed: Axes, findings: tuple[Finding, ...]) -> Status:
+        in_doubt = name in doubted(findings, self._nominal)
         if name == self.belief.rig.reference:
-            return Status.CONVERGED
+            return Status.SUSPECT if in_doubt else Status.CONVERGED
         if self._newest is None:
             return Status.INITIALISING
         missed = self._front_end.trackers[name].missed_count
         newest = self._newest.inlier_count[name]
-        links = self._links[name]
-        return judge(name, stated, self._nominal, links, newest, missed, self.config.status, observed)
+        links, config = self._links[name], self.config.status
+        status = judge(name, stated, self._nominal, links, newest, missed, config, observed)
+        return Status.SUSPECT if in_doubt and status is not Status.LOST else status

@@ -43,7 +43,12 @@ def road_scale(
 def densest_scale(
     depth: Array, weight: Array, camera_height_m: float, bandwidth: float, prior_sigma: float
 ) -> float | None:
-    """Return the factor that puts the densest of (N,) depths below a camera at the camera's height."""
+    """Return the factor that puts the densest of (N,) depths below a camera at the camera's height.
+
+    None where too few agree, or where the height is none: a camera in or under the road gives no scale.
+    """
+    if not camera_height_m > 0:
+        return None
     level = np.log(depth)
     grid = np.arange(level.min() - 0.1, level.max() + 0.1, bandwidth / 3)
     distance = (grid[:, None] - level[None]) / bandwidth

@@ -16,7 +16,8 @@ class StatusConfig(Config):
     rotation_rad: float = 0.002
     translation_m: float = 0.04
     min_links: int = 30
-    prior_chi2: float = 27.9  # 0.9999 of a chi-square with six degrees of freedom
+    max_off_nominal_rad: float = 0.26
+    max_off_nominal_m: float = 0.5
     lost_after_bundles: int = 20
     min_sightings: int = 20
 
@@ -34,9 +35,9 @@ def judge(
     """Return the status of an estimated camera once a window has been solved.
 
     Converged means: stated sigma small, every axis observed by the drive itself, enough sightings shared with
-    other cameras, and an answer that the prior of the rig file does not rule out. One that it does rule out
-    comes from wrong intrinsics or from a rig file that belongs to another car, and is weak however small its
-    sigma.
+    other cameras, and an answer within a wide limit of the rig file. One beyond it comes from a rig file that
+    belongs to another car, and is weak however small its sigma. What the prior makes unlikely within the
+    limit is for ``PriorWatch`` to judge.
 
     Args:
         name: A camera other than the reference.
@@ -51,12 +52,12 @@ def judge(
     if missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings:
         return Status.LOST
     from_nominal = nominal[name].ego_from_cam.local(belief.rig[name].ego_from_cam)
-    surprise = float(from_nominal @ np.linalg.solve(nominal.prior.covariance, from_nominal))
     sure = (
         belief.rotation_sigma_rad(name) < config.rotation_rad
         and belief.translation_sigma_m(name) < config.translation_m
         and all(observed)
         and links >= config.min_links
-        and surprise < config.prior_chi2
+        and float(np.linalg.norm(from_nominal[:3])) < config.max_off_nominal_rad
+        and float(np.linalg.norm(from_nominal[3:])) < config.max_off_nominal_m
     )
     return Status.CONVERGED if sure else Status.WEAK

@@ -22,6 +22,7 @@ from estimator.observations import Observations
 from estimator.rig import Rig
 from estimator.road_level import level_on_road, rescale_on_road
 from estimator.se3 import Array
+from estimator.soundness import is_sound
 from estimator.stopwatch import Stopwatch
 from estimator.window_config import WindowConfig
 from estimator.window_result import WindowResult, conclude
@@ -63,9 +64,10 @@ class WindowCalibration:
             for _ in range(self.config.repeats):
                 self._adjust_finely(fine)
                 fine = self._measure_again(linked)
-            return self._conclude(fine)
-        except RuntimeError:  # GTSAM: an indeterminate system; the window cannot be solved
+            result = self._conclude(fine)
+        except (RuntimeError, np.linalg.LinAlgError):  # an indeterminate system: the window cannot be solved
             return None
+        return result if result is None or is_sound(result) else None
 
     def _search_ranges_rad(self) -> Iterator[float]:
         if self.unsure:

@@ -5,13 +5,14 @@ Knows no truth. The loop that drives an estimator fills it; the scores and the r
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 from estimator.bundle import FrameBundle
 from estimator.errors import InputError
 from estimator.estimate import CameraEstimate, Estimate
+from estimator.finding import Finding
 from estimator.rig import Rig
 from estimator.se3 import SE3
 from eval.match_pictures import MatchPictureKeeper
@@ -28,12 +29,14 @@ class LogEntry:
         cameras: The estimate of every camera.
         world_from_ego: In the estimator's own world; None while the motion is unknown.
         stage_s: Wall seconds by stage.
+        findings: What the estimator noticed and still held.
     """
 
     stamp_ns: int
     cameras: Mapping[str, CameraEstimate]
     world_from_ego: SE3 | None
     stage_s: Mapping[str, float]
+    findings: Sequence[Finding] = ()
 
 
 class RunLog:
@@ -74,7 +77,13 @@ class RunLog:
 
     def add(self, bundle: FrameBundle, estimate: Estimate) -> None:
         """Keep what is needed of one update; images only as thumbnails, and only a bounded number."""
-        entry = LogEntry(bundle.stamp_ns, dict(estimate.cameras), estimate.world_from_ego, estimate.stage_s)
+        entry = LogEntry(
+            bundle.stamp_ns,
+            dict(estimate.cameras),
+            estimate.world_from_ego,
+            estimate.stage_s,
+            tuple(estimate.findings),
+        )
         self.entries.append(entry)
         thumbnails = {name: thumbnail(image) for name, image in bundle.images.items()}
         self._tails.add(estimate.tracks_px)

@@ -12,6 +12,7 @@ from estimator.rig import Rig
 from estimator.se3 import SE3
 from eval.collect import RunLog
 from eval.errors import PoseError, pose_error, stated_error95
+from eval.findings import finding_rows
 from eval.header import RunHeader
 from eval.metrics_consistency import inside_region95
 from eval.mounting import car_rows, roll_pitch_yaw_deg, view_fan_ego
@@ -44,6 +45,7 @@ def report_data(log: RunLog, header: RunHeader, truth: TruthTrack | None) -> dic
         "paths": map_paths(log, truth),
         "moments": moment_pictures(log),
         "matches": match_pictures(log),
+        "findings": finding_rows(log),
         "events": [
             {**event, "time_s": (event["stamp_ns"] - log.first_stamp_ns) * 1e-9}
             for event in status_changes(log)

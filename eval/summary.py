@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from estimator.estimate import CameraEstimate, Status
+from eval.findings import finding_line
 from eval.judge import RunResult
 from eval.metric_keys import extrinsic_key
 from eval.print_table import print_table
@@ -24,6 +25,8 @@ def print_summary(result: RunResult) -> None:
     reason = result.metrics[extrinsic_key("worst", "rotation_deg")].reason
     if reason:
         print(f"errors are not known: {reason}")
+    for finding in result.final.findings:
+        print(finding_line(finding))
     print(f"report: {result.folder / 'report.html'}")
 
 

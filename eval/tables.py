@@ -17,6 +17,7 @@ from scipy.spatial.transform import Rotation
 from estimator.estimate import CameraEstimate, Status
 from estimator.rig import Rig
 from eval.collect import RunLog
+from eval.findings import finding_events
 from eval.scale import scale_data
 from eval.trajectory import Trajectory
 
@@ -78,9 +79,12 @@ def seconds_text(stamp_ns: int) -> str:
 
 
 def events_jsonl(log: RunLog, warnings: tuple[str, ...]) -> str:
-    """Return what happened: the reader's warnings, changes of status, and where the metres came from."""
+    """Return what happened: the reader's warnings, then changes of status and findings in order of time.
+
+    Last comes where the metres came from.
+    """
     events: list[dict[str, Any]] = [{"event": "warning", "text": text} for text in warnings]
-    events += status_changes(log)
+    events += sorted([*status_changes(log), *finding_events(log)], key=lambda event: event["stamp_ns"])
     scale = scale_data(log.final)
     events += [] if scale is None else [{"event": "scale", "stamp_ns": log.final.stamp_ns, **scale}]
     return "".join(json.dumps(event) + "\n" for event in events)

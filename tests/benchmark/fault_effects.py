@@ -23,6 +23,7 @@ from estimator.image_decode import decode_image
 from estimator.rig import Rig
 from estimator.rig_file import rig_to_yaml, write_rig
 from eval.console import QuietConsole
+from eval.findings import finding_line
 from eval.replay import ReplayRequest, replay
 from eval.truth import read_truth
 from scenarios.bundled import bundled_names
@@ -89,10 +90,11 @@ def effect(sound: Path, scenario: Scenario, folder: Path) -> str:
     ]
     others = [name for name in scenario.rig.estimated_names if name not in struck]
     states = ", ".join(f"{name} {result.final.cameras[name].status}" for name in struck)
+    found = "; ".join(finding_line(finding) for finding in result.final.findings) or "no finding"
     return (
         f"others {worst(others, 'rotation_deg'):.3f} deg {worst(others, 'translation_mm'):.1f} mm; "
         f"struck {worst(struck, 'rotation_deg'):.3f} deg {worst(struck, 'translation_mm'):.1f} mm; "
-        f"path {1000 * metrics['motion.ate_m']['value']:.0f} mm; {states}"
+        f"path {1000 * metrics['motion.ate_m']['value']:.0f} mm; {states}; {found}"
     )
 
 

@@ -118,6 +118,6 @@ def test_a_standing_car_learns_nothing_and_says_so(bundles: list[FrameBundle]) -
 
 def test_bundles_without_any_image_and_no_bundles_at_all_are_no_error(bundles: list[FrameBundle]) -> None:
     assert drive([])[-1].cameras["left_rear"].status is Status.INITIALISING
-    empty = [FrameBundle(index * PERIOD_NS, {}) for index in range(3)]
+    empty = [FrameBundle((3 + index) * PERIOD_NS, {}) for index in range(3)]
     last = drive([*bundles[:3], *empty])[-1]
-    assert last.stamp_ns == 2 * PERIOD_NS and last.tracks_px["front"].shape == (0, 4)
+    assert last.stamp_ns == 5 * PERIOD_NS and last.tracks_px["front"].shape == (0, 4)

@@ -43,8 +43,9 @@ def test_a_camera_with_an_axis_that_only_the_prior_knows_is_weak() -> None:
     assert status(observed=(True, True, True, True, True, False)) == Status.WEAK
 
 
-def test_an_answer_that_the_prior_rules_out_is_weak_however_small_its_sigma() -> None:
+def test_an_answer_that_belongs_to_another_rig_is_weak_however_small_its_sigma() -> None:
     assert status(moved_m=0.9) == Status.WEAK
+    assert status(moved_m=0.4) == Status.CONVERGED
 
 
 @pytest.mark.parametrize("flaw", [{"missed_bundles": 50}, {"newest": 3}])

@@ -1,0 +1,126 @@
+"""Watch the images themselves: cameras that send none, one and the same, or nothing to be seen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from estimator.bundle import FrameBundle, Image
+from estimator.config import Config
+from estimator.finding import Finding, FindingKind
+from estimator.rig import Rig
+
+
+class ImageWatchConfig(Config):
+    """How many bundles in a row make a finding and end it, and what counts as nothing to be seen."""
+
+    begins_after: int = 10
+    ends_after: int = 3
+    min_contrast: float = 10.0  # levels between the 2nd and the 98th percentile
+    min_corners: int = 20
+    stride_px: int = 7
+
+
+class ImageWatch:
+    """Counts, for every camera and kind of trouble, how long it has lasted."""
+
+    def __init__(self, rig: Rig, config: ImageWatchConfig) -> None:
+        self._rig = rig
+        self._config = config
+        self._last: dict[str, Image] = {}
+        kinds = (FindingKind.NO_IMAGE, FindingKind.NO_TEXTURE, FindingKind.FROZEN_IMAGE)
+        self._spells = {(kind, name): _Spell(config) for kind in kinds for name in rig.cameras}
+        self._shape: dict[str, str] = {}
+
+    def usable(self, bundle: FrameBundle) -> FrameBundle:
+        """Return the bundle without what is no image of the rig: other cameras, sizes or kinds of pixels."""
+        images = {}
+        self._shape = {}
+        for name, image in bundle.images.items():
+            if name not in self._rig.cameras or not isinstance(image, np.ndarray):
+                continue
+            width, height = self._rig[name].camera.size_px
+            if image.shape == (height, width) and image.dtype == np.uint8:
+                images[name] = image
+            else:
+                self._shape[name] = f"{image.dtype} {' x '.join(map(str, image.shape[::-1]))}"
+        return FrameBundle(bundle.stamp_ns, images)
+
+    def see(self, bundle: FrameBundle, corner_count: Mapping[str, int]) -> None:
+        """Take note of a bundle, and of how many corners are followed in each image."""
+        repeats = {name for name, image in bundle.images.items() if self._repeats(name, image)}
+        others_move = len(repeats) < len(bundle.images)
+        for (kind, name), spell in self._spells.items():
+            image = bundle.images.get(name)
+            if kind is FindingKind.NO_IMAGE:
+                spell.count(image is None)
+            elif image is None:
+                continue
+            elif kind is FindingKind.FROZEN_IMAGE:
+                spell.count(name in repeats and others_move)
+            else:
+                few = corner_count.get(name, 0) < self._config.min_corners
+                spell.count(few and self._contrast(image) < self._config.min_contrast)
+        self._last |= bundle.images
+
+    def findings(self) -> Iterator[Finding]:
+        """Yield what lasts."""
+        for (kind, name), spell in self._spells.items():
+            if spell.lasts:
+                about = self._about(kind, name, spell.length)
+                yield Finding(kind, (name,), about, doubtful=False)
+
+    def _about(self, kind: FindingKind, name: str, length: int) -> str:
+        consequence = (
+            "nothing can be calibrated meanwhile, because the car's motion comes from it"
+            if name == self._rig.reference
+            else "its pose stays as it was known before"
+        )
+        if kind is FindingKind.FROZEN_IMAGE:
+            return f"{name} has sent one and the same image {length} times in a row; {consequence}"
+        if kind is FindingKind.NO_TEXTURE:
+            level = int(np.median(self._sample(self._last[name])))
+            return f"{name} has shown nothing, level {level} of 255, for {length} images; {consequence}"
+        if name in self._shape:
+            width, height = self._rig[name].camera.size_px
+            return (
+                f"{name} has sent no usable image for {length} bundles: got {self._shape[name]}, "
+                f"wanted uint8 {width} x {height}; {consequence}"
+            )
+        return f"{name} has sent no image for {length} bundles; {consequence}"
+
+    def _repeats(self, name: str, image: Image) -> bool:
+        last = self._last.get(name)
+        if last is None or last.shape != image.shape:
+            return False
+        return np.array_equal(self._sample(last), self._sample(image)) and np.array_equal(last, image)
+
+    def _contrast(self, image: Image) -> float:
+        low, high = np.percentile(self._sample(image), [2, 98])
+        return float(high - low)
+
+    def _sample(self, image: Image) -> Image:
+        return image[:: self._config.stride_px, :: self._config.stride_px]
+
+
+class _Spell:
+    """How many times in a row something was so; it ends after a few times that it was not."""
+
+    def __init__(self, config: ImageWatchConfig) -> None:
+        self._config = config
+        self._missed = 0
+        self.length = 0
+
+    def count(self, is_so: bool) -> None:
+        if is_so:
+            self.length += 1 + self._missed
+            self._missed = 0
+        elif self.length:
+            self._missed += 1
+            if self._missed >= self._config.ends_after:
+                self.length = self._missed = 0
+
+    @property
+    def lasts(self) -> bool:
+        return self.length >= self._config.begins_after
