@@ -155,5 +155,6 @@ class WindowCalibration:
         if len(fine) < self.config.result.min_inliers:
             return None
         covariance = self._adjust_finely(fine, want_covariance=True)
-        result = conclude(self.state.scene, fine, covariance, self.stamps_ns, self.config.result)
+        tracked = len(self.state.tracks)
+        result = conclude(self.state.scene, fine, covariance, self.stamps_ns, tracked, self.config.result)
         return result and replace(result, scale_information=self.state.scale_information)

@@ -18,11 +18,15 @@ from estimator.se3 import SE3, Array
 
 
 class ResultConfig(Config):
-    """When a window is believed: enough sightings that agree well enough."""
+    """When a window is believed: enough sightings that agree well enough, and are not a chosen few.
+
+    A scene gone astray explains some sightings very well: those that it was left with.
+    """
 
     inlier_px: float = 1.5
     min_inliers: int = 150
     max_median_px: float = 0.7
+    min_share: float = 0.35  # of what the tracks saw
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +63,12 @@ class WindowResult:
 
 
 def conclude(
-    scene: Scene, seen: Observations, covariance: Array, stamps_ns: Sequence[int], config: ResultConfig
+    scene: Scene,
+    seen: Observations,
+    covariance: Array,
+    stamps_ns: Sequence[int],
+    track_sightings: int,
+    config: ResultConfig,
 ) -> WindowResult | None:
     """Sum up an adjusted window; None if too little of it agrees.
 
@@ -68,13 +77,15 @@ def conclude(
         seen: The sightings they were adjusted to.
         covariance: (6 C, 6 C) posterior of the estimated extrinsics.
         stamps_ns: Stamp of each keyframe.
+        track_sightings: How many sightings the tracks had, explained or not.
         config: Thresholds.
     """
     error_px = scene.residuals_px(seen)
     with np.errstate(invalid="ignore"):
         inliers = seen.select(error_px < config.inlier_px).of_enough_views(2)
     median_px = float(np.nanmedian(error_px))
-    if len(inliers) < config.min_inliers or median_px > config.max_median_px:
+    explained = np.count_nonzero(~inliers.handed_over) / max(track_sightings, 1)
+    if len(inliers) < config.min_inliers or median_px > config.max_median_px or explained < config.min_share:
         return None
     names = list(scene.rig.cameras)
     counts = np.bincount(inliers.camera, minlength=len(names)).tolist()

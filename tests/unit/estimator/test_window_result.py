@@ -18,8 +18,13 @@ SEEN = sightings(SCENE, noise_px=0.2)
 COVARIANCE = 1e-6 * np.eye(12)
 
 
-def concluded(seen: Observations = SEEN, config: ResultConfig = CONFIG) -> WindowResult | None:
-    return conclude(SCENE, seen, COVARIANCE, [0, 1, 2, 3], config)
+TRACKED = int(np.sum(~SEEN.handed_over))
+
+
+def concluded(
+    seen: Observations = SEEN, config: ResultConfig = CONFIG, tracked: int = TRACKED
+) -> WindowResult | None:
+    return conclude(SCENE, seen, COVARIANCE, [0, 1, 2, 3], tracked, config)
 
 
 def test_sightings_that_agree_are_believed_and_counted() -> None:
@@ -40,6 +45,11 @@ def test_links_are_sightings_of_landmarks_that_two_cameras_share() -> None:
         seen_here = fewer.landmark[fewer.camera == camera]
         shared = np.isin(seen_here, fewer.landmark[fewer.camera != camera])
         assert result.link_count[name] == shared.sum() < len(seen_here)
+
+
+def test_a_scene_that_explains_a_chosen_few_of_the_tracks_is_not_believed() -> None:
+    assert concluded(tracked=2 * TRACKED) is not None
+    assert concluded(tracked=4 * TRACKED) is None
 
 
 def test_too_few_sightings_are_not_believed() -> None:
