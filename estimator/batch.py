@@ -14,6 +14,7 @@ from estimator.config import Config
 from estimator.estimate import Estimate
 from estimator.factors import GraphConfig
 from estimator.keyframe import Keyframe
+from estimator.lens_watch import Refine
 from estimator.online import OnlineConfig, OnlineEstimator
 from estimator.rig import Rig
 from estimator.stopwatch import Stopwatch
@@ -33,6 +34,7 @@ class BatchConfig(Config):
     online: OnlineConfig = OnlineConfig()
     window: WindowConfig = WindowConfig(repeats=1, graph=_PATIENT)
     segment_keyframes: int = 100
+    refine: Refine = "none"
 
 
 class BatchEstimator:
@@ -41,9 +43,12 @@ class BatchEstimator:
     Sees bundles and the nominal rig, nothing else. Deterministic: the same bundles give the same bytes.
     """
 
+    config_type = BatchConfig
+
     def __init__(self, rig: Rig, config: BatchConfig | None = None) -> None:
         self.config = config or BatchConfig()
-        self._online = OnlineEstimator(rig, self.config.online)
+        refine = self.config.online.refine if self.config.refine == "none" else self.config.refine
+        self._online = OnlineEstimator(rig, self.config.online.model_copy(update={"refine": refine}))
         self._belief = Belief.nominal(rig)
         self._has_learnt = False
         self._segment: list[Keyframe] = []

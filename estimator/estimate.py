@@ -8,6 +8,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from estimator.camera import Camera
 from estimator.finding import Finding
 from estimator.se3 import SE3, Array
 
@@ -32,12 +33,14 @@ class CameraEstimate:
         covariance: (6, 6), tangent (rotation rad, translation m) of the right perturbation: camera frame.
         status: How far to rely on it.
         inlier_count: Observations by this camera that support the estimate so far.
+        camera: The refined intrinsics; None where those of the rig file were used.
     """
 
     ego_from_cam: SE3
     covariance: Array
     status: Status
     inlier_count: int = 0
+    camera: Camera | None = None
 
     @property
     def sigma(self) -> Array:

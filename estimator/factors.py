@@ -67,14 +67,14 @@ def add_poses(
     rigid = gtsam.noiseModel.Isotropic.Sigma(6, 1e-6)
     for index, pose in enumerate(scene.world_from_egos):
         values.insert(pose_key(index), to_gtsam(pose))
-        level = to_gtsam(levelled(pose))
+        level = to_gtsam(_levelled(pose))
         if fixed:
             graph.add(gtsam.PriorFactorPose3(pose_key(index), to_gtsam(pose), rigid))
         else:
             graph.add(gtsam.PriorFactorPose3(pose_key(index), level, ride if index else gauge))
 
 
-def levelled(pose: SE3) -> SE3:
+def _levelled(pose: SE3) -> SE3:
     """Return the pose with its heading and place kept, upright on z = 0."""
     heading = np.arctan2(pose.rotation[1, 0], pose.rotation[0, 0])
     flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0])).rotation

@@ -10,6 +10,7 @@ from estimator.config import Config
 from estimator.estimate import CameraEstimate, Estimate, Match, Status
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
+from estimator.lens_watch import LensConfig, LensWatch, Refine
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.se3 import SE3
@@ -29,6 +30,8 @@ class OnlineConfig(Config):
     pace: PaceConfig = PaceConfig()
     shared_scale_sigma: float = 0.002
     status: StatusConfig = StatusConfig()
+    lens: LensConfig = LensConfig()
+    refine: Refine = "none"
 
 
 class OnlineEstimator:
@@ -43,11 +46,14 @@ class OnlineEstimator:
         started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
     """
 
+    config_type = OnlineConfig
+
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
         self.config = config or OnlineConfig()
         self.belief = Belief.nominal(rig)
         self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
+        self._lens_watch = LensWatch(rig, self.config.lens, self.config.refine)
         self._keyframes: list[Keyframe] = []
         self.path = Path()
         self.newest_keyframe: Keyframe | None = None
@@ -108,8 +114,10 @@ class OnlineEstimator:
         result = calibration.run()
         if result is None:
             return ()
+        with stopwatch.stage("lens"):
+            self._lens_watch.learn(result.scene, result.seen, result.stamps_ns)
         with stopwatch.stage("fuse"):
-            self.belief = result.belief
+            self.belief = self._lens_watch.belief if self._lens_watch.lenses else result.belief
             self._correct_motion(keyframes, result)
             self._newest = result
             for name, count in result.inlier_count.items():
@@ -153,6 +161,7 @@ class OnlineEstimator:
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,
+            self._lens_watch.findings,
         )
 
     def _camera_estimate(self, name: str, stated: Belief) -> CameraEstimate:
@@ -161,6 +170,7 @@ class OnlineEstimator:
             stated.camera_covariance(name),
             self._status(name, stated),
             self._inliers[name],
+            self._lens_watch.lenses.get(name),
         )
 
     def _status(self, name: str, stated: Belief) -> Status:
@@ -170,4 +180,6 @@ class OnlineEstimator:
             return Status.INITIALISING
         missed = self._front_end.trackers[name].missed_count
         newest = self._newest.inlier_count[name]
-        return judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)
+        status = judge(name, stated, self._nominal, self._links[name], newest, missed, self.config.status)
+        doubtful = any(finding.doubtful and name in finding.cameras for finding in self._lens_watch.findings)
+        return Status.SUSPECT if doubtful and status is Status.CONVERGED else status

@@ -77,7 +77,7 @@ def sighting_jacobians(scene: Scene, seen: Observations, twists: Array) -> Sight
 
 
 def _by_perturbation(by_point: Array, points: Array) -> Array:
-    """Return (N, 2, 6): perturbing the frame on the right by d moves its points by p x d_rotation - d_move."""
+    """Return (N, 2, 6): perturbing the frame on the right by d moves points by p x d_rotation - d_move."""
     return np.concatenate([by_point @ skew(points), -by_point], 2)
 
 

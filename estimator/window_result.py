@@ -35,6 +35,9 @@ class WindowResult:
         link_count: By camera, those among them that tie it to another camera.
         median_px: Median reprojection error.
         matches: Landmarks that two cameras share, for people to look at.
+        scene: The adjusted values.
+        seen: The sightings they were adjusted to.
+        stamps_ns: Stamp of each keyframe.
     """
 
     belief: Belief
@@ -43,6 +46,9 @@ class WindowResult:
     link_count: dict[str, int]
     median_px: float
     matches: tuple[Match, ...]
+    scene: Scene
+    seen: Observations
+    stamps_ns: tuple[int, ...]
 
     def path_from(self, world_from_first: SE3) -> list[SE3]:
         """Return the car's poses at the keyframes if it was there at the first."""
@@ -78,6 +84,9 @@ def conclude(
         dict(zip(names, links, strict=True)),
         median_px,
         cross_camera_matches(inliers, names, stamps_ns),
+        scene,
+        seen,
+        tuple(stamps_ns),
     )
 
 

@@ -1,0 +1,58 @@
+"""The rows of a graph's factors on poses and landmarks, but for the sightings: taken from GTSAM itself.
+
+So what is believed of road, ride height and gauge is written once, in ``estimator.factors``.
+"""
+
+from __future__ import annotations
+
+import gtsam
+import numpy as np
+
+from estimator.factors import GraphConfig, add_landmarks, add_poses, pose_key
+from estimator.observations import Mask, Observations
+from estimator.rows import NO_LANDMARK, Rows
+from estimator.scene import Scene
+
+
+def belief_rows(
+    scene: Scene, seen: Observations, on_road: Mask, config: GraphConfig, first_pose: int
+) -> Rows:
+    """Linearise all that a window believes besides sightings and extrinsics.
+
+    Args:
+        scene: Present values.
+        seen: The sightings; their landmarks are those of the graph.
+        on_road: (M,) landmarks believed to lie on the road.
+        config: Beliefs.
+        first_pose: Column of the first pose; the poses follow each other, and after them comes whatever
+            else the factors depend on.
+    """
+    graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
+    add_poses(graph, values, scene, config, False)
+    add_landmarks(graph, values, scene, seen, on_road, config)
+    linear = graph.linearize(values)
+    factors = [linear.at(index) for index in range(linear.size())]
+    poses = [pose_key(keyframe) for keyframe in range(len(scene.world_from_egos))]
+    concerned = set().union(*(factor.keys() for factor in factors))
+    others = sorted(key for key in concerned.difference(poses) if not _is_landmark(key))
+    column = {key: first_pose + 6 * place for place, key in enumerate([*poses, *others])}
+    return Rows.stacked([_rows_of(factor, column, first_pose + 6 * len(column)) for factor in factors])
+
+
+def _rows_of(factor: gtsam.GaussianFactor, column: dict[int, int], width: int) -> Rows:
+    matrix, target = factor.jacobian()
+    landmark, point, rest = NO_LANDMARK, np.zeros((len(target), 3)), np.zeros((len(target), width))
+    first, keys = 0, factor.keys()
+    for key in keys:
+        size = 3 if _is_landmark(key) else 6
+        block = matrix[:, first : first + size]
+        first += size
+        if size == 3:
+            landmark, point = gtsam.symbolIndex(key), block
+        else:
+            rest[:, column[key] : column[key] + 6] = block
+    return Rows(np.full(len(target), landmark), rest, point, -target)
+
+
+def _is_landmark(key: int) -> bool:
+    return bool(gtsam.symbolChr(key) == ord("l"))
