@@ -81,8 +81,9 @@ class BatchEstimator:
             replace(k, world_from_ego=poses.get(k.stamp_ns, k.world_from_ego)) for k in self._segment
         ]
         start = self._online.belief.rig
+        before = replace(self._belief, ahead_s=self._online.belief.ahead_s)
         result = WindowCalibration(
-            keyframes, self._belief, True, self.config.window, Stopwatch(), start=start
+            keyframes, before, True, self.config.window, Stopwatch(), start=start
         ).run()
         if result is not None:
             self._belief, self._has_learnt = result.belief, True

@@ -6,7 +6,8 @@ does not grow with the drive.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -21,10 +22,12 @@ class Belief:
     Attributes:
         rig: The mean.
         covariance: (6 C, 6 C) of the right perturbations, cameras in the order of ``rig.estimated_names``.
+        ahead_s: By camera, how far clocks are ahead; those that are not named are right.
     """
 
     rig: Rig
     covariance: Array
+    ahead_s: Mapping[str, float] = field(default_factory=dict)
 
     @staticmethod
     def nominal(rig: Rig) -> Belief:
@@ -59,4 +62,5 @@ class Belief:
         for block, name in enumerate(self.rig.estimated_names):
             pose = self.rig[name].ego_from_cam
             direction[6 * block + 3 : 6 * block + 6] = pose.rotation.T @ (pose.translation - origin)
-        return Belief(self.rig, self.covariance + scale_sigma**2 * np.outer(direction, direction))
+        wider = self.covariance + scale_sigma**2 * np.outer(direction, direction)
+        return replace(self, covariance=wider)

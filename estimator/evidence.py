@@ -13,9 +13,12 @@ import numpy as np
 
 from estimator.config import Config
 from estimator.rig import Rig
+from estimator.scene import Scene
 from estimator.se3 import Array
 from estimator.unknowns import Unknowns
 from estimator.window_information import WindowInformation
+
+_HELD = 1e-5  # of the usual error, for what counts as right
 
 
 class UsualErrors(Config):
@@ -24,6 +27,22 @@ class UsualErrors(Config):
     focal_share: float = 0.01
     center_px: float = 3.0
     clock_s: float = 0.02
+
+    def sigmas(self, unknowns: Unknowns) -> Array:
+        """Return the (D,) usual errors; NaN for poses, of which this says nothing."""
+        sigma = np.full(unknowns.size, np.nan)
+        for camera in range(len(unknowns.names)):
+            sigma[unknowns.lens(camera)] = [self.focal_share, self.center_px, self.center_px]
+            sigma[unknowns.clock(camera)] = self.clock_s
+        return sigma
+
+
+@dataclass(frozen=True)
+class Free:
+    """Names of the cameras whose lens, and of those whose clock, is in doubt."""
+
+    lenses: frozenset[str]
+    clocks: frozenset[str]
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,9 +87,9 @@ class Evidence:
         size = Unknowns(nominal).size
         return Evidence(nominal, np.zeros((size, size)), np.zeros(size), np.zeros((size, size)))
 
-    def with_window(self, found: WindowInformation, rig: Rig) -> Evidence:
-        """Add a window that was linearised at a rig's poses and lenses."""
-        at = differences(self.nominal, rig)
+    def with_window(self, found: WindowInformation, scene: Scene) -> Evidence:
+        """Add a window that was linearised at a scene's extrinsics, lenses and clocks."""
+        at = differences(self.nominal, scene)
         hessian = found.hessian
         vector = hessian @ at - found.gradient
         lowest = np.linalg.lstsq(hessian, vector, rcond=1e-12)[0]
@@ -83,9 +102,14 @@ class Evidence:
             window_count=self.window_count + 1,
         )
 
-    def posterior(self, usual: UsualErrors) -> Posterior:
-        """Weigh the evidence against the rig file's prior and what is usual for lenses and clocks."""
-        prior = prior_information(self.nominal, usual)
+    def posterior(self, usual: UsualErrors, free: Free | None = None) -> Posterior:
+        """Weigh the evidence against the rig file's prior and what is usual for lenses and clocks.
+
+        Args:
+            usual: How far lenses and clocks may be off.
+            free: Those that are in doubt; the others count as right. None: all are.
+        """
+        prior = prior_information(self.nominal, usual, free)
         size = len(self.vector)
         noise = max(
             float(np.trace(np.linalg.lstsq(self.hessian, self.scatter, rcond=1e-12)[0])) / size, 1e-12
@@ -98,27 +122,29 @@ class Evidence:
         return Posterior(mean, covariance, misfit / noise / freedom)
 
 
-def differences(nominal: Rig, rig: Rig) -> Array:
-    """Return (D,) how a rig differs from the rig file; clocks are not part of a rig and count as right."""
+def differences(nominal: Rig, scene: Scene) -> Array:
+    """Return (D,) how a scene's rig and clocks differ from the rig file and clocks that are right."""
     unknowns = Unknowns(nominal)
     result = np.zeros(unknowns.size)
     for camera, name in enumerate(unknowns.names):
-        stated, now = nominal[name], rig[name]
+        stated, now = nominal[name], scene.rig[name]
         if name in unknowns.estimated:
             result[unknowns.extrinsics(camera)] = stated.ego_from_cam.local(now.ego_from_cam)
         focal = np.log(now.camera.focal_px[0] / stated.camera.focal_px[0])
         center = np.subtract(now.camera.center_px, stated.camera.center_px)
         result[unknowns.lens(camera)] = [focal, *center]
+        result[unknowns.clock(camera)] = scene.clocks.ahead_s[camera] if scene.clocks else 0.0
     return result
 
 
-def prior_information(nominal: Rig, usual: UsualErrors) -> Array:
+def prior_information(nominal: Rig, usual: UsualErrors, free: Free | None = None) -> Array:
     """Return the (D, D) information of the rig file; the reference's clock is right by definition."""
     unknowns = Unknowns(nominal)
-    sigma = np.full(unknowns.size, usual.clock_s)
+    sigma = usual.sigmas(unknowns)
     sigma[: unknowns.pose_size] = np.tile(np.sqrt(np.diag(nominal.prior.covariance)), len(unknowns.estimated))
     for camera, name in enumerate(unknowns.names):
-        sigma[unknowns.lens(camera)] = [usual.focal_share, usual.center_px, usual.center_px]
-        if name == nominal.reference:
-            sigma[unknowns.clock(camera)] = 1e-6
+        if free is not None and name not in free.lenses:
+            sigma[unknowns.lens(camera)] *= _HELD
+        if name == nominal.reference or (free is not None and name not in free.clocks):
+            sigma[unknowns.clock(camera)] *= _HELD
     return np.diag(sigma**-2.0)

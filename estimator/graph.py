@@ -70,6 +70,7 @@ def adjust(
         RuntimeError: The system could not be solved.
     """
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
+    observations = scene.as_if_in_time(observations)
     add_poses(graph, values, scene, config, fixed_poses)
     add_landmarks(graph, values, scene, observations, on_road, config)
     add_sightings(graph, scene, observations, loss)

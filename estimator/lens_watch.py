@@ -1,13 +1,13 @@
 """Watch lenses and clocks while the car drives: gather every window's evidence, and correct where asked.
 
-A lens that is far off makes the adjustment distrust the very sightings that show it, so one linearisation
-overstates or understates the error. The window is therefore adjusted again with the lens as found, until
-it no longer changes.
+A lens or clock that is far off makes the adjustment distrust the very sightings that show it, so one
+linearisation misstates the error. The window is therefore adjusted again with lens or clock as found,
+until it no longer changes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Literal
 
@@ -16,9 +16,11 @@ from pydantic import Field
 
 from estimator.belief import Belief
 from estimator.camera import Camera
+from estimator.clocks import Clocks
 from estimator.config import Config
+from estimator.corrections import belief_from, scene_at
 from estimator.corridor import road_landmarks
-from estimator.evidence import Evidence, Posterior, UsualErrors, differences
+from estimator.evidence import Evidence, Free, UsualErrors, differences
 from estimator.factors import GraphConfig, Loss
 from estimator.finding import Finding, FindingKind
 from estimator.graph import adjust
@@ -29,21 +31,20 @@ from estimator.scene import Scene
 from estimator.unknowns import Unknowns
 from estimator.window_information import window_information
 
-Refine = Literal["none", "intrinsics"]
-_HELD_S = 1e-7  # a clock that is taken as right
+Refine = Literal["none", "intrinsics", "clocks", "both"]
 
 
 class LensConfig(Config):
     """What is usual, what is told, and when a window is adjusted again.
 
-    A lens has settled once a round changes it by less than these.
+    Lens and clock have settled once a round changes them by less than ``settled`` times the usual error.
     """
 
     usual: UsualErrors = UsualErrors()
     accuse: AccusationConfig = AccusationConfig()
+    suspect_sigmas: float = Field(3.0, gt=0)
     rounds: int = Field(4, ge=0)
-    settled_focal_share: float = 2e-4
-    settled_center_px: float = 0.1
+    settled: float = Field(0.03, gt=0)
     loss_px: float = 0.1
     road_tolerance_m: float = 0.08
     graph: GraphConfig = GraphConfig()
@@ -54,8 +55,8 @@ class LensWatch:
 
     Attributes:
         findings: The lenses and clocks that are clearly wrong.
-        belief: The extrinsics by all windows' evidence, with the lenses as corrected.
-        lenses: The corrected lenses by camera; empty while none are known.
+        belief: The extrinsics by all windows' evidence, with lenses and clocks as corrected.
+        lenses: The refined lenses by camera; empty while none are known.
     """
 
     def __init__(self, nominal: Rig, config: LensConfig, refine: Refine) -> None:
@@ -65,97 +66,88 @@ class LensWatch:
         self.belief = Belief.nominal(nominal)
         self.lenses: Mapping[str, Camera] = {}
         self._evidence = Evidence.none(nominal)
-        self._unknowns = Unknowns(nominal)
 
     def learn(self, scene: Scene, seen: Observations, stamps_ns: Sequence[int]) -> None:
-        """Add a window, given as it was adjusted; adjust it again where a lens must change."""
-        for _ in range(self.config.rounds):
-            evidence = self._with(scene, seen, stamps_ns)
-            target = self._corrected(scene.rig, evidence)
-            if self._is_settled(scene.rig, target):
-                break
-            scene = replace(scene, rig=target)
-            try:
-                for loss_px in (5 * self.config.loss_px, self.config.loss_px):
-                    on_road = road_landmarks(scene, seen, self.config.road_tolerance_m)
-                    scene = adjust(scene, seen, on_road, self.belief, Loss(loss_px), self.config.graph).scene
-            except RuntimeError:  # GTSAM: an indeterminate system; what was known before stays
-                return
-        self._evidence = self._with(scene, seen, stamps_ns)
-        self.findings = tuple(map(self._as_told, self._accuse(self._evidence)))
-        self.belief = self._believed()
-        if self.refine != "none":
+        """Add a window, given as it was adjusted; adjust it again where a lens or clock must change."""
+        if scene.clocks is None:
+            scene = replace(scene, clocks=Clocks(tuple(stamps_ns), (0.0,) * len(scene.rig.cameras)))
+        try:
+            self._evidence = self._settled(scene, seen)
+        except RuntimeError:  # GTSAM: an indeterminate system; what was known before stays
+            return
+        self.findings = tuple(map(self._as_told, self._accuse(self._evidence, self.config.accuse)))
+        self.belief = belief_from(self._evidence, self.config.usual, self._free(self._evidence))
+        if self._refines_lenses:
             self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
 
+    @property
+    def corrected(self) -> Belief | None:
+        """What to believe where lenses or clocks are to be corrected; None if not, or if nothing is known."""
+        return self.belief if self.refine != "none" and self._evidence.window_count else None
+
+    @property
+    def _refines_lenses(self) -> bool:
+        return self.refine in ("intrinsics", "both")
+
+    @property
+    def _refines_clocks(self) -> bool:
+        return self.refine in ("clocks", "both")
+
+    def _settled(self, scene: Scene, seen: Observations) -> Evidence:
+        """Return all evidence, the window's at lenses and clocks that it no longer changes."""
+        evidence = self._evidence
+        free = self._free(evidence)
+        if evidence.window_count and not self._is_settled(scene, free, evidence):
+            scene = self._adjusted(scene, seen, free, evidence)
+        evidence = self._with(scene, seen)
+        for _ in range(self.config.rounds):
+            free = self._free(evidence)
+            if self._is_settled(scene, free, evidence):
+                break
+            scene = self._adjusted(scene, seen, free, evidence)
+            evidence = self._with(scene, seen)
+        return evidence
+
+    def _is_settled(self, scene: Scene, free: Free, evidence: Evidence) -> bool:
+        nominal, usual, unknowns = evidence.nominal, self.config.usual, Unknowns(evidence.nominal)
+        target = scene_at(scene, belief_from(evidence, usual, free))
+        change = np.abs(differences(nominal, target) - differences(nominal, scene))
+        limit = self.config.settled * usual.sigmas(unknowns)
+        return bool((change < limit)[unknowns.pose_size :].all())
+
+    def _adjusted(self, scene: Scene, seen: Observations, free: Free, evidence: Evidence) -> Scene:
+        """Adjust the window with lenses and clocks as now known, after all that was known before it."""
+        before = belief_from(self._evidence, self.config.usual, free)
+        scene = scene_at(scene, belief_from(evidence, self.config.usual, free))
+        for loss_px in (5 * self.config.loss_px, self.config.loss_px):
+            on_road = road_landmarks(scene, seen, self.config.road_tolerance_m)
+            scene = adjust(scene, seen, on_road, before, Loss(loss_px), self.config.graph).scene
+        return scene
+
+    def _with(self, scene: Scene, seen: Observations) -> Evidence:
+        on_road = road_landmarks(scene, seen, self.config.road_tolerance_m)
+        loss = Loss(self.config.loss_px)
+        found = window_information(scene, seen, on_road, loss, self.config.graph, curved=True)
+        return self._evidence.with_window(found, scene)
+
+    def _accuse(self, evidence: Evidence, config: AccusationConfig) -> tuple[Finding, ...]:
+        return accusations(evidence.posterior(self.config.usual), evidence.nominal, config)
+
     def _as_told(self, finding: Finding) -> Finding:
-        """Return the finding; a lens that is corrected spoils no pose."""
-        if finding.kind is not FindingKind.WRONG_INTRINSICS or self.refine == "none":
+        """Return the finding; what is corrected spoils no pose."""
+        is_lens = finding.kind is FindingKind.WRONG_INTRINSICS
+        if not (self._refines_lenses if is_lens else self._refines_clocks):
             return finding
         return replace(finding, about=f"{finding.about}; corrected", doubtful=False)
 
-    def _believed(self) -> Belief:
-        posterior = self._held(self._evidence)
-        size = self._unknowns.pose_size
-        covariance = posterior.covariance[:size, :size] * max(1.0, posterior.disagreement)
-        return Belief(self._corrected(self._evidence.nominal, self._evidence), covariance)
-
-    def _with(self, scene: Scene, seen: Observations, stamps_ns: Sequence[int]) -> Evidence:
-        on_road = road_landmarks(scene, seen, self.config.road_tolerance_m)
-        loss, graph = Loss(self.config.loss_px), self.config.graph
-        found = window_information(scene, seen, on_road, stamps_ns, loss, graph, curved=True)
-        return self._evidence.with_window(found, scene.rig)
-
-    def _accuse(self, evidence: Evidence) -> tuple[Finding, ...]:
-        return accusations(evidence.posterior(self.config.usual), evidence.nominal, self.config.accuse)
-
-    def _held(self, evidence: Evidence) -> Posterior:
-        """Return the posterior with clocks taken as right: what poses and lenses are refined by."""
-        return evidence.posterior(self.config.usual.model_copy(update={"clock_s": _HELD_S}))
-
-    def _corrected(self, rig: Rig, evidence: Evidence) -> Rig:
-        """Return the rig with poses as now known and, where asked for or else where accused, its lenses.
-
-        Poses move along with lenses, else the next adjustment would start from an error that those make.
-        """
-        wrong = set(rig.cameras)
-        if self.refine == "none":
-            accused = [f for f in self._accuse(evidence) if f.kind is FindingKind.WRONG_INTRINSICS]
-            wrong = {name for finding in accused for name in finding.cameras}
-        posterior = self._held(evidence)
-        return _with_lenses(_with_poses(rig, posterior, self._unknowns), posterior, self._unknowns, wrong)
-
-    def _is_settled(self, rig: Rig, target: Rig) -> bool:
-        change = np.abs(
-            differences(self._evidence.nominal, target) - differences(self._evidence.nominal, rig)
+    def _free(self, evidence: Evidence) -> Free:
+        """Return what is to be refined, and what is under suspicion: that needs a fair trial."""
+        suspicious = self.config.accuse.model_copy(update={"sigmas": self.config.suspect_sigmas})
+        lenses, clocks = set[str](), set[str]()
+        for finding in self._accuse(evidence, suspicious):
+            (lenses if finding.kind is FindingKind.WRONG_INTRINSICS else clocks).update(finding.cameras)
+        everyone = evidence.nominal.cameras
+        return Free(
+            frozenset(everyone if self._refines_lenses else lenses),
+            frozenset(everyone if self._refines_clocks else clocks),
         )
-        limit = (self.config.settled_focal_share, *[self.config.settled_center_px] * 2)
-        return all(
-            bool((change[self._unknowns.lens(camera)] < limit).all())
-            for camera in range(len(self._unknowns.names))
-        )
-
-
-def _with_poses(rig: Rig, posterior: Posterior, unknowns: Unknowns) -> Rig:
-    return rig.with_extrinsics(
-        {
-            name: unknowns.rig[name].ego_from_cam.retract(posterior.mean[unknowns.extrinsics(camera)])
-            for camera, name in enumerate(unknowns.names)
-            if name in unknowns.estimated
-        }
-    )
-
-
-def _with_lenses(rig: Rig, posterior: Posterior, unknowns: Unknowns, names: Iterable[str]) -> Rig:
-    cameras = dict(rig.cameras)
-    for name in names:
-        log_focal, *shift = posterior.mean[unknowns.lens(unknowns.names.index(name))]
-        stated = unknowns.rig[name].camera
-        focal_x, focal_y = np.array(stated.focal_px) * np.exp(log_focal)
-        center_x, center_y = np.add(stated.center_px, shift)
-        lens = replace(
-            stated,
-            focal_px=(float(focal_x), float(focal_y)),
-            center_px=(float(center_x), float(center_y)),
-        )
-        cameras[name] = replace(cameras[name], camera=lens)
-    return replace(rig, cameras=cameras)

@@ -117,7 +117,7 @@ class OnlineEstimator:
         with stopwatch.stage("lens"):
             self._lens_watch.learn(result.scene, result.seen, result.stamps_ns)
         with stopwatch.stage("fuse"):
-            self.belief = self._lens_watch.belief if self._lens_watch.lenses else result.belief
+            self.belief = self._lens_watch.corrected or result.belief
             self._correct_motion(keyframes, result)
             self._newest = result
             for name, count in result.inlier_count.items():

@@ -6,15 +6,14 @@ shows the world as it was d earlier than the stamp says, so a pixel moves agains
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from itertools import pairwise
 
 import numpy as np
 
+from estimator.clocks import body_twists
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
-from estimator.se3 import SE3, Array, skew
+from estimator.se3 import Array, skew
 
 LENS_SIZE = 3  # logarithm of the focal length, principal point x and y in pixels
 
@@ -44,14 +43,10 @@ class SightingJacobians:
         return SightingJacobians(*(getattr(self, f.name)[chosen] for f in fields(self)))
 
 
-def sighting_jacobians(scene: Scene, seen: Observations, twists: Array) -> SightingJacobians:
-    """Differentiate the prediction of every sighting.
-
-    Args:
-        scene: Present values.
-        seen: N sightings.
-        twists: (K, 6) velocity of the car at each keyframe, see ``body_twists``.
-    """
+def sighting_jacobians(scene: Scene, seen: Observations) -> SightingJacobians:
+    """Differentiate the prediction of every sighting in a scene that has clocks."""
+    assert scene.clocks is not None
+    twists = body_twists(scene.world_from_egos, scene.clocks.stamps_ns)
     mounted = list(scene.rig.cameras.values())
     rotation, center = scene.pose_arrays(seen.camera, seen.keyframe)
     points_cam = np.einsum("nji,nj->ni", rotation, scene.points_world[seen.landmark] - center)
@@ -61,41 +56,25 @@ def sighting_jacobians(scene: Scene, seen: Observations, twists: Array) -> Sight
         pixels[mine], by_cam[mine] = each.camera.project_with_jacobian(points_cam[mine])
     rotation_ego = np.stack([m.ego_from_cam.rotation for m in mounted])[seen.camera]
     translation_ego = np.stack([m.ego_from_cam.translation for m in mounted])[seen.camera]
-    points_ego = np.einsum("nij,nj->ni", rotation_ego, points_cam) + translation_ego
-    by_ego = by_cam @ rotation_ego.transpose(0, 2, 1)
-    by_pose = _by_perturbation(by_ego, points_ego)
+    # In the axes of the car as the camera shows it, and then as it was at the stamp.
+    points_shown = np.einsum("nij,nj->ni", rotation_ego, points_cam) + translation_ego
+    by_shown = by_cam @ rotation_ego.transpose(0, 2, 1)
+    rotation_now = np.stack([pose.rotation for pose in scene.world_from_egos])[seen.keyframe]
+    center_now = np.stack([pose.translation for pose in scene.world_from_egos])[seen.keyframe]
+    points_now = np.einsum("nji,nj->ni", rotation_now, scene.points_world[seen.landmark] - center_now)
+    by_world = by_cam @ rotation.transpose(0, 2, 1)
     off_center = pixels - np.array([m.camera.center_px for m in mounted])[seen.camera]
     by_lens = np.concatenate([off_center[:, :, None], np.tile(np.eye(2), (len(seen), 1, 1))], 2)
     return SightingJacobians(
         pixels - seen.pixels,
-        by_pose,
+        _by_perturbation(by_world @ rotation_now, points_now),
         _by_perturbation(by_cam, points_cam),
-        by_cam @ rotation.transpose(0, 2, 1),
+        by_world,
         by_lens,
-        -np.einsum("nij,nj->ni", by_pose, twists[seen.keyframe]),
+        -np.einsum("nij,nj->ni", _by_perturbation(by_shown, points_shown), twists[seen.keyframe]),
     )
 
 
 def _by_perturbation(by_point: Array, points: Array) -> Array:
     """Return (N, 2, 6): perturbing the frame on the right by d moves points by p x d_rotation - d_move."""
     return np.concatenate([by_point @ skew(points), -by_point], 2)
-
-
-def body_twists(world_from_egos: Sequence[SE3], stamps_ns: Sequence[int]) -> Array:
-    """Return (K, 6) velocities (rad/s, m/s) in the car's own axes: x(t + dt) = x(t) @ exp(twist dt).
-
-    Between keyframes the velocity is the mean one; at a keyframe it is interpolated between the two beside
-    it, and extrapolated at the ends. Fewer than three keyframes give one velocity.
-    """
-    seconds = np.asarray(stamps_ns, float) * 1e-9
-    gaps = np.diff(seconds)
-    steps = np.array([before.local(after) for before, after in pairwise(world_from_egos)])
-    rates = steps.reshape(-1, 6) / gaps[:, None]
-    if len(rates) < 2:
-        return np.tile(rates.sum(0), (len(world_from_egos), 1))
-    middles = 0.5 * (seconds[1:] + seconds[:-1])
-    slopes = np.diff(rates, axis=0) / np.diff(middles)[:, None]
-    inner = rates[:-1] + slopes * (seconds[1:-1] - middles[:-1])[:, None]
-    first = rates[0] + slopes[0] * (seconds[0] - middles[0])
-    last = rates[-1] + slopes[-1] * (seconds[-1] - middles[-1])
-    return np.vstack([first, inner, last])

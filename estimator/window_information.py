@@ -7,7 +7,6 @@ of several windows may be added up.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +17,7 @@ from estimator.observations import Mask, Observations
 from estimator.rows import Rows
 from estimator.scene import Scene
 from estimator.se3 import Array
-from estimator.sighting_jacobians import body_twists, sighting_jacobians
+from estimator.sighting_jacobians import sighting_jacobians
 from estimator.unknowns import Unknowns
 
 
@@ -41,7 +40,6 @@ def window_information(
     scene: Scene,
     seen: Observations,
     on_road: Mask,
-    stamps_ns: Sequence[int],
     loss: Loss,
     config: GraphConfig,
     *,
@@ -54,17 +52,16 @@ def window_information(
     directions by w^2.
 
     Args:
-        scene: Adjusted values.
+        scene: Adjusted values, with clocks.
         seen: The sightings they were adjusted to.
         on_road: (M,) landmarks believed to lie on the road.
-        stamps_ns: Stamp of each keyframe.
         loss: Robust loss; each sighting counts with the weight it has at these values.
         config: What else the adjustment believed.
         curved: Take the loss's own curvature instead of the solver's Hessian.
     """
     unknowns = Unknowns(scene.rig)
     beliefs = belief_rows(scene, seen, on_road, config, unknowns.size)
-    rows = Rows.stacked([_sighting_rows(scene, seen, stamps_ns, loss, unknowns, curved), beliefs])
+    rows = Rows.stacked([_sighting_rows(scene, seen, loss, unknowns, curved), beliefs])
     hessian, gradient, scores = rows.without_landmarks()
     size = unknowns.size
     gain = np.linalg.solve(hessian[size:, size:], hessian[size:, :size])
@@ -75,14 +72,12 @@ def window_information(
     )
 
 
-def _sighting_rows(
-    scene: Scene, seen: Observations, stamps_ns: Sequence[int], loss: Loss, unknowns: Unknowns, curved: bool
-) -> Rows:
+def _sighting_rows(scene: Scene, seen: Observations, loss: Loss, unknowns: Unknowns, curved: bool) -> Rows:
     """Return two rows a sighting, by the unknowns and then by the poses.
 
     With w the weight, rows times w and errors times one give the gradient of w and a Hessian of w^2.
     """
-    jacobians = sighting_jacobians(scene, seen, body_twists(scene.world_from_egos, stamps_ns))
+    jacobians = sighting_jacobians(scene, seen)
     usable = np.asarray(np.isfinite(jacobians.by_extrinsics).all((1, 2)))
     seen, jacobians = seen.select(usable), jacobians.select(usable)
     rest = np.zeros((len(seen), 2, unknowns.size + 6 * len(scene.world_from_egos)))

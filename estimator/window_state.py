@@ -10,6 +10,7 @@ import numpy as np
 from estimator.anchors import Anchors, choose_anchors
 from estimator.belief import Belief
 from estimator.bundle import Image
+from estimator.clocks import Clocks
 from estimator.corridor import road_landmarks
 from estimator.factors import GraphConfig, Loss
 from estimator.graph import adjust
@@ -45,7 +46,9 @@ class WindowState:
         _, landmark = np.unique(tracks.landmark, return_inverse=True)
         self.tracks = replace(tracks, landmark=np.asarray(landmark, np.int64))
         unknown = np.full((int(self.tracks.landmark.max(initial=-1)) + 1, 3), np.nan)
-        self.scene = Scene(rig, poses, unknown)
+        ahead_s = tuple(belief.ahead_s.get(name, 0.0) for name in names)
+        clocks = Clocks(tuple(k.stamp_ns for k in keyframes), ahead_s) if any(ahead_s) else None
+        self.scene = Scene(rig, poses, unknown, clocks)
         self.triangulate_unknown()
 
     def is_unsure(self, sigma_rad: float) -> bool:
