@@ -21,7 +21,7 @@ from estimator.config import Config
 from estimator.corrections import belief_from, scene_at
 from estimator.corridor import road_landmarks
 from estimator.evidence import Evidence, Free, UsualErrors, differences
-from estimator.factors import GraphConfig, Loss
+from estimator.factors import Loss
 from estimator.finding import Finding, FindingKind
 from estimator.graph import adjust
 from estimator.lens_findings import AccusationConfig, accusations
@@ -29,6 +29,7 @@ from estimator.observations import Observations
 from estimator.rig import Rig
 from estimator.scene import Scene
 from estimator.unknowns import Unknowns
+from estimator.window_config import WindowConfig
 from estimator.window_information import window_information
 
 Refine = Literal["none", "intrinsics", "clocks", "both"]
@@ -45,9 +46,6 @@ class LensConfig(Config):
     suspect_sigmas: float = Field(3.0, gt=0)
     rounds: int = Field(4, ge=0)
     settled: float = Field(0.03, gt=0)
-    loss_px: float = 0.1
-    road_tolerance_m: float = 0.08
-    graph: GraphConfig = GraphConfig()
 
 
 class LensWatch:
@@ -59,8 +57,9 @@ class LensWatch:
         lenses: The refined lenses by camera; empty while none are known.
     """
 
-    def __init__(self, nominal: Rig, config: LensConfig, refine: Refine) -> None:
+    def __init__(self, nominal: Rig, config: LensConfig, window: WindowConfig, refine: Refine) -> None:
         self.config = config
+        self.window = window
         self.refine = refine
         self.findings: tuple[Finding, ...] = ()
         self.belief = Belief.nominal(nominal)
@@ -119,15 +118,15 @@ class LensWatch:
         """Adjust the window with lenses and clocks as now known, after all that was known before it."""
         before = belief_from(self._evidence, self.config.usual, free)
         scene = scene_at(scene, belief_from(evidence, self.config.usual, free))
-        for loss_px in (5 * self.config.loss_px, self.config.loss_px):
-            on_road = road_landmarks(scene, seen, self.config.road_tolerance_m)
-            scene = adjust(scene, seen, on_road, before, Loss(loss_px), self.config.graph).scene
+        for loss_px in (5 * self.window.anchored_loss_px, self.window.anchored_loss_px):
+            on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
+            scene = adjust(scene, seen, on_road, before, Loss(loss_px), self.window.graph).scene
         return scene
 
     def _with(self, scene: Scene, seen: Observations) -> Evidence:
-        on_road = road_landmarks(scene, seen, self.config.road_tolerance_m)
-        loss = Loss(self.config.loss_px)
-        found = window_information(scene, seen, on_road, loss, self.config.graph, curved=True)
+        on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
+        loss = Loss(self.window.anchored_loss_px)
+        found = window_information(scene, seen, on_road, loss, self.window.graph, curved=True)
         return self._evidence.with_window(found, scene)
 
     def _accuse(self, evidence: Evidence, config: AccusationConfig) -> tuple[Finding, ...]:

@@ -53,7 +53,7 @@ class OnlineEstimator:
         self.belief = Belief.nominal(rig)
         self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
-        self._lens_watch = LensWatch(rig, self.config.lens, self.config.refine)
+        self._lens_watch = LensWatch(rig, self.config.lens, self.config.window, self.config.refine)
         self._keyframes: list[Keyframe] = []
         self.path = Path()
         self.newest_keyframe: Keyframe | None = None

@@ -16,6 +16,7 @@ from estimator.graph import adjust
 from estimator.lens_watch import LensConfig, LensWatch, Refine
 from estimator.se3 import SE3
 from estimator.unknowns import Unknowns
+from estimator.window_config import WindowConfig
 from tests.known_scene import known_scene, on_road, sightings
 from tests.mounts import BROWN, arc, left_side_rig, worst_error
 
@@ -35,14 +36,14 @@ def watched(
     refine: Refine = "none",
 ) -> LensWatch:
     """Return what is known once windows along the paths were adjusted as if lenses and clocks were right."""
-    watch = LensWatch(NOMINAL, LensConfig(), refine)
+    watch = LensWatch(NOMINAL, LensConfig(), WindowConfig(), refine)
     for seed, path in enumerate(paths):
         true_rig = NOMINAL if unknowns is None else rig_at(NOMINAL, unknowns)
         truth = replace(known_scene(true_rig, path, 15, seed), clocks=Clocks(STAMPS_NS, ahead_s))
         seen = sightings(truth, 0.1, seed)
         start = replace(truth, rig=NOMINAL, clocks=None)
         before = Belief.nominal(NOMINAL)
-        scene = adjust(start, seen, on_road(truth), before, Loss(0.1), LensConfig().graph).scene
+        scene = adjust(start, seen, on_road(truth), before, Loss(0.1), WindowConfig().graph).scene
         watch.learn(scene, seen, STAMPS_NS)
     return watch
 
