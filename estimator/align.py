@@ -38,10 +38,12 @@ class Aligned:
     Attributes:
         pixels: (N, 2) where the anchor's centre appears; NaN where it could not be aligned.
         likeness: (N,) correlation of patch and image there, -1 to 1; NaN where not aligned.
+        sigma_px: (N,) standard deviation of a coordinate, were what patch and image differ by plain noise.
     """
 
     pixels: Array
     likeness: Array
+    sigma_px: Array
 
 
 def align(
@@ -76,12 +78,13 @@ def align(
     """
     pixels = np.full((len(landmark), 2), np.nan)
     likeness = np.full(len(landmark), np.nan)
+    sigma_px = np.full(len(landmark), np.nan)
     view = view_anchors(scene, anchors, landmark, camera, keyframe, start_px, config.view)
     rows = np.flatnonzero(view.visible)
     if len(rows) == 0:
-        return Aligned(pixels, likeness)
+        return Aligned(pixels, likeness, sigma_px)
     template = view.patches(images, rows, config.half_px + 1)
-    solver, reference = _prepare(template)
+    solver, reference, variance_px2 = _prepare(template)
     at = start_px[rows].copy()
     moving = np.arange(len(rows))
     for _ in range(config.steps):
@@ -99,11 +102,19 @@ def align(
     good = (alike > config.min_likeness) & (shift < config.max_shift_px)
     pixels[rows[good]] = at[good]
     likeness[rows] = alike
-    return Aligned(pixels, likeness)
+    # Two patches of unit norm differ by 2 - 2 alike; shift, brightness and contrast took four of the values.
+    noise2 = 2 * np.maximum(1 - alike, 0) / (reference.shape[1] - 4)
+    sigma_px[rows] = np.sqrt(noise2 * variance_px2)
+    return Aligned(pixels, likeness, sigma_px)
 
 
-def _prepare(template: Patches) -> tuple[Patches, Patches]:
-    """Return (N, 2, P*P) maps from a difference to a shift, and (N, P*P) normalised inner patches."""
+def _prepare(template: Patches) -> tuple[Patches, Patches, Patches]:
+    """Return what each patch has to align with.
+
+    Returns:
+        (N, 2, P*P) maps from a difference to a shift, (N, P*P) normalised inner patches, and the (N,) mean
+        variances of a coordinate of the shift for differences of unit variance.
+    """
     reference, norm = normalised(template[:, 1:-1, 1:-1])
     along_x = 0.5 * (template[:, 1:-1, 2:] - template[:, 1:-1, :-2])
     along_y = 0.5 * (template[:, 2:, 1:-1] - template[:, :-2, 1:-1])
@@ -113,4 +124,5 @@ def _prepare(template: Patches) -> tuple[Patches, Patches]:
     # Contrast is free: a change along the patch itself is no shift.
     gradient -= (gradient @ reference[..., None]) * reference[:, None]
     hessian = gradient @ gradient.transpose(0, 2, 1) + np.float32(1e-6) * np.eye(2, dtype=np.float32)
-    return np.linalg.inv(hessian) @ gradient, reference
+    inverse = np.linalg.inv(hessian)
+    return inverse @ gradient, reference, 0.5 * np.trace(inverse, axis1=1, axis2=2)

@@ -46,6 +46,10 @@ class Belief:
         """Return the root of the summed rotation variances of one camera."""
         return float(np.sqrt(np.trace(self.camera_covariance(name)[:3, :3])))
 
+    def known_within(self, rotation_rad: float) -> frozenset[str]:
+        """Return the cameras whose rotation is known that well; the reference is always among them."""
+        return frozenset(n for n in self.rig.cameras if self.rotation_sigma_rad(n) <= rotation_rad)
+
     def translation_sigma_m(self, name: str) -> float:
         """Return the root of the summed translation variances of one camera."""
         return float(np.sqrt(np.trace(self.camera_covariance(name)[3:, 3:])))
@@ -57,10 +61,23 @@ class Belief:
         it the same way in every window, so it does not average out. An error of scale moves every camera
         along the line from the reference camera to it.
         """
+        direction = self._along_scale()
+        wider = self.covariance + scale_sigma**2 * np.outer(direction, direction)
+        return replace(self, covariance=wider)
+
+    def scale_sigma(self) -> float:
+        """Return how far, relatively, the rig may grow or shrink as a whole before the belief objects."""
+        direction = self._along_scale()
+        information = (
+            float(direction @ np.linalg.solve(self.covariance, direction)) if len(direction) else 0.0
+        )
+        return float(1 / np.sqrt(information)) if information > 0 else np.inf
+
+    def _along_scale(self) -> Array:
+        """Return the (6 C,) perturbation that makes the rig larger about its reference, for a factor of e."""
         origin = self.rig[self.rig.reference].ego_from_cam.translation
         direction = np.zeros(len(self.covariance))
         for block, name in enumerate(self.rig.estimated_names):
             pose = self.rig[name].ego_from_cam
             direction[6 * block + 3 : 6 * block + 6] = pose.rotation.T @ (pose.translation - origin)
-        wider = self.covariance + scale_sigma**2 * np.outer(direction, direction)
-        return replace(self, covariance=wider)
+        return direction

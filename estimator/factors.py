@@ -6,14 +6,13 @@ serves every lens; see ``Camera``. The reference camera's extrinsics are constan
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import gtsam
 import gtsam_unstable
 import numpy as np
 
 from estimator.belief import Belief
 from estimator.config import Config
+from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
@@ -29,13 +28,6 @@ class GraphConfig(Config):
     ride_tilt_sigma_rad: float = 0.01
     iterations: int = 12
     relative_tolerance: float = 1e-3
-
-
-@dataclass(frozen=True)
-class Loss:
-    """A Cauchy loss: residuals well above ``scale_px`` lose their say."""
-
-    scale_px: float
 
 
 def pose_key(keyframe: int) -> int:
@@ -87,6 +79,7 @@ def add_landmarks(
     scene: Scene,
     observations: Observations,
     on_road: Mask,
+    indeterminate: Mask,
     config: GraphConfig,
 ) -> None:
     road = gtsam.noiseModel.Robust.Create(
@@ -97,8 +90,10 @@ def add_landmarks(
     for index in np.unique(observations.landmark):
         point = scene.points_world[index]
         values.insert(landmark_key(index), point)
-        # So weak that it moves nothing; it keeps a landmark without parallax from being indeterminate.
-        far = gtsam.noiseModel.Isotropic.Sigma(3, 20.0 * max(1.0, float(np.linalg.norm(point - centre))))
+        # So weak that it moves nothing, but for landmarks that the images leave indeterminate in depth: those
+        # would make GTSAM give up the whole window.
+        share = 0.3 if indeterminate[index] else 20.0
+        far = gtsam.noiseModel.Isotropic.Sigma(3, share * max(1.0, float(np.linalg.norm(point - centre))))
         graph.add(gtsam.PriorFactorPoint3(landmark_key(index), point, far))
         if on_road[index]:
             graph.add(gtsam.PriorFactorPoint3(landmark_key(index), point * np.array([1, 1, 0]), road))
@@ -135,7 +130,7 @@ def _noise(pixels_by_plane: Array, sigma_px: float, loss: Loss) -> gtsam.noiseMo
     """Whiten a residual on the plane to pixels over sigma, then bound its say."""
     base = gtsam.noiseModel.Gaussian.SqrtInformation(pixels_by_plane / sigma_px)
     return gtsam.noiseModel.Robust.Create(
-        gtsam.noiseModel.mEstimator.Cauchy.Create(loss.scale_px / sigma_px), base
+        gtsam.noiseModel.mEstimator.Cauchy.Create(loss.in_sigmas(sigma_px)), base
     )
 
 

@@ -9,6 +9,7 @@ from estimator.config import Config
 from estimator.keyframe import Keyframe
 from estimator.odometry import Odometry, OdometryConfig
 from estimator.rig import Rig
+from estimator.rig_pose import RigPoseConfig, Sight, fit_rig_pose
 from estimator.se3 import SE3, Array
 from estimator.stopwatch import Stopwatch
 from estimator.tracker import Tracker, TrackerConfig
@@ -19,6 +20,7 @@ class FrontEndConfig(Config):
 
     tracker: TrackerConfig = TrackerConfig()
     odometry: OdometryConfig = OdometryConfig()
+    rig_pose: RigPoseConfig = RigPoseConfig()
     lost_after: int = 3
     restart_below: float = 0.5
     least_step_m: float = 0.02
@@ -40,6 +42,7 @@ class FrontEnd:
         self._last_images: dict[str, Image] = {}
         self._seen_from: dict[str, SE3] = {}  # where the car was at each camera's last image
         self._started_with = 0
+        self._trusted: frozenset[str] = frozenset()  # whose pose on the car is known well enough to help
         self.known = False
 
     @property
@@ -57,6 +60,8 @@ class FrontEnd:
         with stopwatch.stage("track"):
             for name in self.rig.estimated_names:
                 self._follow(name, self.odometry.world_from_ego)
+        with stopwatch.stage("motion"):
+            self._ask_all_cameras()
         self._seen_from |= dict.fromkeys(self._bundle.images, self.odometry.world_from_ego)
         with stopwatch.stage("detect"):
             return self._renew()
@@ -76,8 +81,8 @@ class FrontEnd:
             for name, t in self.trackers.items()
         }
 
-    def correct(self, rig: Rig, new_from_old: SE3, scale: float) -> None:
-        """Take over better extrinsics and a better place for the newest keyframe."""
+    def correct(self, rig: Rig, trusted: frozenset[str], new_from_old: SE3, scale: float) -> None:
+        """Take over better extrinsics, which of them are good, and a better place for the newest keyframe."""
         reference = rig[rig.reference].ego_from_cam
         pose = self.odometry.world_from_ego
         origin = (pose @ reference).translation
@@ -85,7 +90,24 @@ class FrontEnd:
             tracker.move_world(new_from_old, scale, origin)
         self._seen_from = {name: new_from_old @ old for name, old in self._seen_from.items()}
         self.odometry.correct(new_from_old @ pose, scale)
-        self.rig = rig
+        self.rig, self._trusted = rig, trusted
+
+    def _ask_all_cameras(self) -> None:
+        """Fit the pose of the car to what all trusted cameras see, and drop tracks that keep denying it."""
+        asked = {name: t for name, t in self.trackers.items() if name in self._trusted and t.current}
+        if not self.metric or len(asked) < 2:
+            return
+        sights = {
+            name: Sight(tracker.rays_cam[tracker.located], tracker.points_world[tracker.located])
+            for name, tracker in asked.items()
+        }
+        fitted = fit_rig_pose(self.rig, sights, self.odometry.world_from_ego, self.config.rig_pose)
+        if fitted is None:
+            return
+        self.odometry.settle(fitted.world_from_ego)
+        self.known = True
+        for name, agrees in fitted.agrees.items():
+            asked[name].judge(agrees)
 
     def _without_repeats(self, bundle: FrameBundle) -> FrameBundle:
         """Leave out images that a moving car cannot have seen: the camera's last one once more, to the byte.

@@ -10,7 +10,6 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.factors import (
     GraphConfig,
-    Loss,
     add_cameras,
     add_landmarks,
     add_poses,
@@ -21,6 +20,8 @@ from estimator.factors import (
     landmark_key,
     pose_key,
 )
+from estimator.landmark_information import indeterminate_landmarks
+from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
 from estimator.se3 import Array
@@ -70,9 +71,10 @@ def adjust(
         RuntimeError: The system could not be solved.
     """
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
+    indeterminate = indeterminate_landmarks(scene, observations, loss)
     observations = scene.as_if_in_time(observations)
     add_poses(graph, values, scene, config, fixed_poses)
-    add_landmarks(graph, values, scene, observations, on_road, config)
+    add_landmarks(graph, values, scene, observations, on_road, indeterminate, config)
     add_sightings(graph, scene, observations, loss)
     add_cameras(graph, values, scene, belief)
     parameters = gtsam.LevenbergMarquardtParams()

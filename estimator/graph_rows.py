@@ -29,7 +29,8 @@ def belief_rows(
     """
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
     add_poses(graph, values, scene, config, False)
-    add_landmarks(graph, values, scene, seen, on_road, config)
+    determinate = np.zeros(len(scene.points_world), bool)  # priors on the others are no evidence either
+    add_landmarks(graph, values, scene, seen, on_road, determinate, config)
     linear = graph.linearize(values)
     factors = [linear.at(index) for index in range(linear.size())]
     poses = [pose_key(keyframe) for keyframe in range(len(scene.world_from_egos))]

@@ -21,10 +21,10 @@ from estimator.config import Config
 from estimator.corrections import belief_from, scene_at
 from estimator.corridor import road_landmarks
 from estimator.evidence import Evidence, Free, UsualErrors, differences
-from estimator.factors import Loss
 from estimator.finding import Finding, FindingKind
 from estimator.graph import adjust
 from estimator.lens_findings import AccusationConfig, accusations
+from estimator.loss import Loss
 from estimator.observations import Observations
 from estimator.rig import Rig
 from estimator.scene import Scene
@@ -80,6 +80,11 @@ class LensWatch:
             self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
 
     @property
+    def _loss(self) -> Loss:
+        """The loss that the window was adjusted with at last."""
+        return Loss(self.window.sighting_noise.loss_sigmas, of_sigma=True)
+
+    @property
     def corrected(self) -> Belief | None:
         """What to believe where lenses or clocks are to be corrected; None if not, or if nothing is known."""
         return self.belief if self.refine != "none" and self._evidence.window_count else None
@@ -118,15 +123,14 @@ class LensWatch:
         """Adjust the window with lenses and clocks as now known, after all that was known before it."""
         before = belief_from(self._evidence, self.config.usual, free)
         scene = scene_at(scene, belief_from(evidence, self.config.usual, free))
-        for loss_px in (5 * self.window.anchored_loss_px, self.window.anchored_loss_px):
+        for loss in (Loss(0.5), self._loss):
             on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
-            scene = adjust(scene, seen, on_road, before, Loss(loss_px), self.window.graph).scene
+            scene = adjust(scene, seen, on_road, before, loss, self.window.graph).scene
         return scene
 
     def _with(self, scene: Scene, seen: Observations) -> Evidence:
         on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
-        loss = Loss(self.window.anchored_loss_px)
-        found = window_information(scene, seen, on_road, loss, self.window.graph, curved=True)
+        found = window_information(scene, seen, on_road, self._loss, self.window.graph, curved=True)
         return self._evidence.with_window(found, scene)
 
     def _accuse(self, evidence: Evidence, config: AccusationConfig) -> tuple[Finding, ...]:

@@ -35,6 +35,7 @@ class Odometry:
         self._last_step = SE3()
         self._known = SE3()  # the last pose that was measured, and how many bundles ago that was
         self._bundles_since = 0
+        self._before = SE3(), 1  # the one measured before it, and how many bundles lie between
         self.metric = False
         self.lost_count = 0
 
@@ -74,10 +75,20 @@ class Odometry:
             self.lost_count += 1
             self.world_from_ego = self.predicted_world_from_ego
             return False
+        self._step_to(pose)
+        return True
+
+    def settle(self, world_from_ego: SE3) -> None:
+        """Take over what all cameras together say of the newest bundle's pose."""
+        if self._bundles_since == 0:  # the reference camera has said something of it already
+            self._known, self._bundles_since = self._before
+        self._step_to(world_from_ego)
+
+    def _step_to(self, pose: SE3) -> None:
+        self._before = self._known, self._bundles_since
         self._last_step = SE3.exp((self._known.inverse() @ pose).log() / self._bundles_since)
         self._note(pose)
         self.lost_count = 0
-        return True
 
     def _note(self, pose: SE3) -> None:
         self.world_from_ego = self._known = pose

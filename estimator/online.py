@@ -140,7 +140,8 @@ class OnlineEstimator:
         old_m = float(np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation))
         new_m = float(np.linalg.norm((first.inverse() @ last).translation))
         self.path.correct([k.stamp_ns for k in keyframes], corrected)
-        self._front_end.correct(self.belief.rig, new_from_old, new_m / max(old_m, 1e-6))
+        trusted = self.belief.known_within(self.config.window.unsure_rad)
+        self._front_end.correct(self.belief.rig, trusted, new_from_old, new_m / max(old_m, 1e-6))
         self._keyframes = [
             Keyframe(keyframes[-1].stamp_ns, keyframes[-1].images, corrected[-1], keyframes[-1].tracks)
         ]

@@ -27,7 +27,8 @@ def _ahead(rays_cam: Array) -> npt.NDArray[np.bool_]:
 class TrackerConfig(Config):
     """Settings of one camera's tracker; long tracks drift and are given up after ``max_travel_m``.
 
-    Tracks wait for a camera that misses up to ``bridged_images`` in a row.
+    Tracks wait for a camera that misses up to ``bridged_images`` in a row. Those that disagree with the
+    motion of the car ``max_strikes`` times in a row move by themselves, or have slipped to something else.
     """
 
     detect: DetectConfig = DetectConfig()
@@ -37,6 +38,7 @@ class TrackerConfig(Config):
     min_parallax_rad: float = 0.012
     static_px: float = 0.4
     bridged_images: int = 4
+    max_strikes: int = 3
 
 
 class Tracker:
@@ -61,10 +63,11 @@ class Tracker:
         self.anchor_center_world = np.full((count, 3), np.nan)
         self.points_world = np.full((count, 3), np.nan)
         self.fresh = np.zeros(count, bool)
+        self.strikes = np.zeros(count, np.int64)
 
     _FIELDS = (
         "ids", "pixels", "previous_pixels", "rays_cam", "anchor_rays_cam", "anchor_pixels", "anchor_rotation",
-        "anchor_center_world", "points_world", "fresh",
+        "anchor_center_world", "points_world", "fresh", "strikes",
     )  # fmt: skip
 
     def keep(self, chosen: npt.NDArray[np.bool_]) -> None:
@@ -161,6 +164,17 @@ class Tracker:
         moved_px = np.linalg.norm(self.pixels - self.anchor_pixels, axis=1)
         own_car = (travel_m > 3.0) & (moved_px < self.config.static_px * travel_m)
         self.keep(~((travel_m > self.config.max_travel_m) | own_car))
+
+    @property
+    def located(self) -> npt.NDArray[np.bool_]:
+        """(N,) whether the place of each track's point is known."""
+        return np.asarray(np.isfinite(self.points_world).all(1))
+
+    def judge(self, agrees: npt.NDArray[np.bool_]) -> None:
+        """Take what the motion of the car says of the located tracks, and drop those it keeps denying."""
+        located = self.located
+        self.strikes[located] = np.where(agrees, 0, self.strikes[located] + 1)
+        self.keep(self.strikes < self.config.max_strikes)
 
     def predict(self, world_from_cam_before: SE3, world_from_cam: SE3) -> Array:
         """Return the (N, 2) pixels where the tracks should appear from a new pose.

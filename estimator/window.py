@@ -15,9 +15,9 @@ import numpy as np
 from estimator.align import align
 from estimator.belief import Belief
 from estimator.corridor import low_landmarks, road_landmarks
-from estimator.factors import Loss
 from estimator.handover import hand_over
 from estimator.keyframe import Keyframe
+from estimator.loss import Loss
 from estimator.observations import Observations
 from estimator.rig import Rig
 from estimator.road_level import level_on_road, rescale_on_road
@@ -45,7 +45,8 @@ class WindowCalibration:
     ) -> None:
         self.config, self.stopwatch = config, stopwatch
         self.stamps_ns = [keyframe.stamp_ns for keyframe in keyframes]
-        self.scale_sigma = config.scale_sigma if metric else np.inf
+        # The path has the size of the rig that the cameras were tracked with, less what it drifted since.
+        self.scale_sigma = float(np.hypot(config.scale_drift, belief.scale_sigma())) if metric else np.inf
         self.state = WindowState(keyframes, belief, config.track_sigma_px, start)
         self.unsure = start is None and self.state.is_unsure(config.unsure_rad)
 
@@ -126,7 +127,7 @@ class WindowCalibration:
             predicted = state.scene.predict(linked.camera, linked.keyframe, points_world)
             sightings = (linked.landmark, linked.camera, linked.keyframe)
             measured = align(state.scene, state.images, anchors, *sightings, predicted, self.config.align)
-            sigma_px = np.full(len(linked), self.config.anchored_sigma_px)
+            sigma_px = self.config.sighting_noise.sigma_px(measured)
             fine = replace(linked, pixels=measured.pixels, sigma_px=sigma_px)
             fine = fine.select(np.asarray(np.isfinite(fine.pixels).all(1))).of_enough_views(2)
             state.triangulate_again(fine)
@@ -136,15 +137,15 @@ class WindowCalibration:
     def _adjust_finely(self, fine: Observations, *, want_covariance: bool = False) -> Array:
         """Adjust to sightings that were measured again; return the covariance if wanted.
 
-        Most of them are right to a tenth of a pixel. The few that are not (corners where something near
-        covers something far, patches that are no plane) are off by several tenths, and in one direction for
-        whole classes of them, so the second loss is tight.
+        Most of them are as right as they say. The few that are not (corners where something near covers
+        something far, patches that are no plane) are off by several sigmas, and in one direction for whole
+        classes of them, so the second loss is tight.
         """
         state, config = self.state, self.config
         with self.stopwatch.stage("window"):
             on_road = road_landmarks(state.scene, fine, config.road_tolerance_m)
             state.adjust(fine, on_road, Loss(0.5), config.graph)
-            loss = Loss(config.anchored_loss_px)
+            loss = Loss(config.sighting_noise.loss_sigmas, of_sigma=True)
             return state.adjust(fine, on_road, loss, config.graph, want_covariance=want_covariance)
 
     def _conclude(self, fine: Observations) -> WindowResult | None:

@@ -8,6 +8,7 @@ from estimator.align import AlignConfig
 from estimator.config import Config
 from estimator.factors import GraphConfig
 from estimator.handover import HandoverConfig
+from estimator.sighting_noise import SightingNoise
 from estimator.window_result import ResultConfig
 
 
@@ -15,13 +16,12 @@ class WindowConfig(Config):
     """Noise, limits and search ranges of a window's calibration."""
 
     track_sigma_px: float = 0.5
-    anchored_sigma_px: float = 0.4
-    anchored_loss_px: float = 0.1
+    sighting_noise: SightingNoise = SightingNoise()
     repeats: int = Field(0, ge=0)  # how often sightings are measured again from a better scene
     unsure_rad: float = 0.006
     wide_search_rad: float = 0.04
     narrow_search_rad: float = 0.008
-    scale_sigma: float = 0.03
+    scale_drift: float = 0.01  # relative, of the odometry from one window to the next
     road_tolerance_m: float = 0.08
     result: ResultConfig = ResultConfig()
     graph: GraphConfig = GraphConfig()

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from estimator.factors import GraphConfig, Loss
+from estimator.factors import GraphConfig
 from estimator.graph_rows import belief_rows
+from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.rows import Rows
 from estimator.scene import Scene
@@ -92,7 +93,7 @@ def _sighting_rows(scene: Scene, seen: Observations, loss: Loss, unknowns: Unkno
         first = unknowns.size + 6 * keyframe
         rest[mine, :, first : first + 6] = jacobians.by_pose[mine]
     error = jacobians.residual_px
-    weight = 1 / (1 + (error**2).sum(1) / loss.scale_px**2)
+    weight = loss.weights(np.linalg.norm(error, axis=1), seen.sigma_px)
     scale = (weight if curved else np.sqrt(weight)) / seen.sigma_px
     pull = (np.ones_like(weight) if curved else np.sqrt(weight)) / seen.sigma_px
     return Rows(

@@ -12,9 +12,10 @@ from estimator.belief import Belief
 from estimator.bundle import Image
 from estimator.clocks import Clocks
 from estimator.corridor import road_landmarks
-from estimator.factors import GraphConfig, Loss
+from estimator.factors import GraphConfig
 from estimator.graph import adjust
 from estimator.keyframe import Keyframe, gather_observations
+from estimator.loss import Loss
 from estimator.observations import Mask, Observations
 from estimator.rig import Rig
 from estimator.scene import Scene
@@ -53,7 +54,7 @@ class WindowState:
 
     def is_unsure(self, sigma_rad: float) -> bool:
         """Tell whether any camera's rotation is known worse than that."""
-        return any(self.belief.rotation_sigma_rad(n) > sigma_rad for n in self.belief.rig.estimated_names)
+        return len(self.belief.known_within(sigma_rad)) < len(self.belief.rig.cameras)
 
     def believable(self, seen: Observations, limit_px: float) -> Observations:
         """Return the sightings that the scene explains, of landmarks that have two of them."""

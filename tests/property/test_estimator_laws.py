@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from estimator.belief import Belief
-from estimator.factors import GraphConfig, Loss
+from estimator.factors import GraphConfig
 from estimator.graph import Adjusted, adjust
+from estimator.loss import Loss
 from estimator.observations import Observations
 from estimator.rig import Rig
 from estimator.scene import Scene

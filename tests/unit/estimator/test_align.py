@@ -70,6 +70,22 @@ def test_the_anchor_itself_stays_where_it_is() -> None:
     assert found.likeness[good].min() > 0.999
 
 
+def test_noise_in_the_picture_is_told_from_the_patch_itself() -> None:
+    """The stated sigma is the scatter that the noise makes, give or take what planes and resampling add."""
+    rng = np.random.default_rng(0)
+    clean = aligned(SEEN.pixels)
+    for noise in (4.0, 12.0):
+        images = [
+            [np.clip(image + rng.normal(0, noise, image.shape), 0, 255).astype(np.uint8) for image in row]
+            for row in WINDOW.images
+        ]
+        images[1] = WINDOW.images[1]
+        found = aligned(SEEN.pixels, images=images)
+        good = np.isfinite(found.pixels[:, 0]) & np.isfinite(clean.pixels[:, 0])
+        scatter_px = 1.4826 * np.median(np.abs(found.pixels[good] - clean.pixels[good]))
+        assert good.sum() > 30 and 0.5 < np.median(found.sigma_px[good]) / scatter_px < 2.0
+
+
 def test_without_an_anchor_there_is_no_answer() -> None:
     none = replace(ANCHORS, valid=np.zeros_like(ANCHORS.valid))
     found = align(

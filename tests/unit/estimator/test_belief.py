@@ -43,3 +43,21 @@ def test_an_error_of_scale_moves_a_camera_along_the_line_to_the_reference() -> N
     line = pose.translation - RIG["front"].ego_from_cam.translation
     in_ego = pose.rotation @ covariance[3:, 3:] @ pose.rotation.T
     np.testing.assert_allclose(in_ego, 1e-4 * np.outer(line, line), atol=1e-15)
+
+
+def test_the_size_of_the_rig_is_as_sure_as_its_cameras_are() -> None:
+    sigma_m, front = 0.03, RIG["front"].ego_from_cam.translation
+    lengths_m = [np.linalg.norm(RIG[name].ego_from_cam.translation - front) for name in RIG.estimated_names]
+    belief = Belief(RIG, sigma_m**2 * np.eye(12))
+    np.testing.assert_allclose(belief.scale_sigma(), sigma_m / np.linalg.norm(lengths_m))
+
+
+def test_an_error_of_scale_that_all_share_makes_the_size_that_much_less_sure() -> None:
+    belief = Belief(RIG, 1e-8 * np.eye(12)).with_scale_sigma(0.004)
+    np.testing.assert_allclose(belief.scale_sigma(), 0.004, rtol=1e-3)
+
+
+def test_cameras_are_known_by_their_rotation_and_the_reference_always() -> None:
+    sigmas = np.repeat([0.001, 1.0, 0.01, 1.0], 3)
+    assert Belief(RIG, np.diag(sigmas**2)).known_within(0.005) == {"front", "left_front"}
+    assert Belief(RIG, np.diag(sigmas**2)).known_within(0.02) == {"front", "left_front", "left_rear"}

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from estimator.belief import Belief
-from estimator.factors import GraphConfig, Loss
+from estimator.factors import GraphConfig
 from estimator.graph import Adjusted, adjust
+from estimator.loss import Loss
 from estimator.observations import Observations
 from estimator.rig import Rig, RigPrior
 from tests.known_scene import known_scene, on_road, sightings
@@ -124,3 +125,14 @@ def test_the_covariance_tells_how_far_noise_moves_the_cameras() -> None:
         error = np.concatenate(errors)
         distances.append(error @ np.linalg.solve(result.covariance, error))
     assert 5 < np.mean(distances) < 24  # chi-square of 12 degrees of freedom
+
+
+def test_a_landmark_without_depth_does_not_cost_the_window_its_answer() -> None:
+    """Two sightings of which the loss leaves one nothing: GTSAM calls the whole system indeterminate."""
+    row = np.flatnonzero(SEEN.landmark == SEEN.landmark[0])
+    pixels = SEEN.pixels.copy()
+    pixels[row[1]] += 100.0
+    seen = replace(SEEN, pixels=pixels).select(np.delete(np.arange(len(SEEN)), row[2:]))
+    found = adjust(SCENE, seen, on_road(SCENE), vague(TRUTH), Loss(0.01), CONFIG, want_covariance=True)
+    assert np.isfinite(found.covariance).all()
+    assert worst_error(found.scene.rig, TRUTH)[0] < 1e-3

@@ -10,10 +10,10 @@ import pytest
 from estimator.belief import Belief
 from estimator.clocks import Clocks
 from estimator.corrections import rig_at
-from estimator.factors import Loss
 from estimator.finding import FindingKind
 from estimator.graph import adjust
 from estimator.lens_watch import LensConfig, LensWatch, Refine
+from estimator.loss import Loss
 from estimator.se3 import SE3
 from estimator.unknowns import Unknowns
 from estimator.window_config import WindowConfig

@@ -130,3 +130,24 @@ def test_a_restart_keeps_the_place_and_forgets_the_scale() -> None:
     place = drive.odometry.world_from_ego
     drive.odometry.restart()
     assert not drive.odometry.metric and drive.odometry.world_from_ego is place
+
+
+def test_a_pose_that_all_cameras_agree_on_takes_the_place_of_the_reference_s_own() -> None:
+    drive = Drive(left_side_rig()["front"])
+    for pose in PATH[1:4]:
+        drive.advance(pose)
+    drive.odometry.settle(PATH[3])
+    np.testing.assert_allclose(drive.odometry.world_from_ego.matrix, PATH[3].matrix)
+    assert abs(drive.odometry.step_m - 0.6) < 0.05, "one bundle's way, not none"
+
+
+def test_it_counts_as_measured_where_the_reference_knew_nothing() -> None:
+    drive = Drive(left_side_rig()["front"])
+    for pose in PATH[1:4]:
+        drive.advance(pose)
+    drive.tracker.forget()
+    drive.odometry.advance(drive.tracker)
+    drive.odometry.advance(drive.tracker)
+    drive.odometry.settle(PATH[5])
+    assert drive.odometry.lost_count == 0
+    assert abs(drive.odometry.step_m - 0.6) < 0.05, "two bundles' way is not one step"

@@ -134,3 +134,28 @@ def test_a_scaled_world_keeps_the_camera_it_is_scaled_about() -> None:
     before = CAMS[3].inverse().apply(tracker.points_world)
     tracker.move_world(SE3(), 1.3, CAMS[3].translation)
     np.testing.assert_allclose(CAMS[3].inverse().apply(tracker.points_world), 1.3 * before, atol=1e-8)
+
+
+def test_a_track_that_keeps_denying_the_motion_is_dropped() -> None:
+    tracker = driven()
+    ids = tracker.ids[tracker.located]
+    for _ in range(TrackerConfig().max_strikes):
+        assert set(ids) <= set(tracker.ids)
+        tracker.judge(~np.isin(tracker.ids[tracker.located], ids[:5]))
+    assert set(tracker.ids[tracker.located]) == set(ids[5:])
+
+
+def test_a_track_that_agrees_again_is_forgiven() -> None:
+    tracker = driven()
+    located = int(tracker.located.sum())
+    for agrees in (False, False, True, False, False):
+        tracker.judge(np.full(located, agrees))
+    assert int(tracker.located.sum()) == located
+
+
+def test_a_track_without_a_place_is_not_judged() -> None:
+    tracker = started()
+    count = len(tracker.ids)
+    for _ in range(TrackerConfig().max_strikes):
+        tracker.judge(np.zeros(0, bool))
+    assert len(tracker.ids) == count

@@ -8,8 +8,9 @@ import numpy as np
 
 from estimator.belief import Belief
 from estimator.clocks import Clocks
-from estimator.factors import GraphConfig, Loss
+from estimator.factors import GraphConfig
 from estimator.graph import adjust
+from estimator.loss import Loss
 from estimator.rows import NO_LANDMARK, Rows
 from estimator.window_information import WindowInformation, window_information
 from tests.known_scene import known_scene, on_road, sightings
