@@ -1,4 +1,4 @@
-"""How honest each way to state the covariance is: ``python -m tests.benchmark.covariances first_drive:0 ...``.
+"""How honest ways to state the covariance are: ``python -m tests.benchmark.covariances DRIVE:SEED``.
 
 Prints e^T inv(Sigma) e / 6, the mean and each camera's, for the estimate that ``online`` ends with, under the
 covariance of its graph and under sandwiches with one score a landmark.
