@@ -44,7 +44,7 @@ class LensConfig(Config):
     usual: UsualErrors = UsualErrors()
     accuse: AccusationConfig = AccusationConfig()
     suspect_sigmas: float = Field(3.0, gt=0)
-    rounds: int = Field(4, ge=0)
+    rounds: int = Field(6, ge=0)
     settled: float = Field(0.03, gt=0)
 
 
@@ -72,7 +72,7 @@ class LensWatch:
             scene = replace(scene, clocks=Clocks(tuple(stamps_ns), (0.0,) * len(scene.rig.cameras)))
         try:
             self._evidence = self._settled(scene, seen)
-        except RuntimeError:  # GTSAM: an indeterminate system; what was known before stays
+        except (RuntimeError, np.linalg.LinAlgError):  # no solution: what was known before stays
             return
         self.findings = tuple(map(self._as_told, self._accuse(self._evidence, self.config.accuse)))
         self.belief = belief_from(self._evidence, self.config.usual, self._free(self._evidence))
@@ -87,7 +87,15 @@ class LensWatch:
     @property
     def corrected(self) -> Belief | None:
         """What to believe where lenses or clocks are to be corrected; None if not, or if nothing is known."""
-        return self.belief if self.refine != "none" and self._evidence.window_count else None
+        if self.refine == "none" or not self._evidence.window_count:
+            return None
+        belief = self.belief
+        if not self._refines_clocks:
+            belief = replace(belief, ahead_s={})
+        if not self._refines_lenses:
+            poses = {name: mounted.ego_from_cam for name, mounted in belief.rig.cameras.items()}
+            belief = replace(belief, rig=self._evidence.nominal.with_extrinsics(poses))
+        return belief
 
     @property
     def _refines_lenses(self) -> bool:
@@ -108,7 +116,8 @@ class LensWatch:
             free = self._free(evidence)
             if self._is_settled(scene, free, evidence):
                 break
-            scene = self._adjusted(scene, seen, free, evidence)
+            # The loss's own curvature would step too far while residuals are large.
+            scene = self._adjusted(scene, seen, free, self._with(scene, seen, curved=False))
             evidence = self._with(scene, seen)
         return evidence
 
@@ -128,9 +137,9 @@ class LensWatch:
             scene = adjust(scene, seen, on_road, before, loss, self.window.graph).scene
         return scene
 
-    def _with(self, scene: Scene, seen: Observations) -> Evidence:
+    def _with(self, scene: Scene, seen: Observations, *, curved: bool = True) -> Evidence:
         on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
-        found = window_information(scene, seen, on_road, self._loss, self.window.graph, curved=True)
+        found = window_information(scene, seen, on_road, self._loss, self.window.graph, curved=curved)
         return self._evidence.with_window(found, scene)
 
     def _accuse(self, evidence: Evidence, config: AccusationConfig) -> tuple[Finding, ...]:
@@ -144,13 +153,13 @@ class LensWatch:
         return replace(finding, about=f"{finding.about}; corrected", doubtful=False)
 
     def _free(self, evidence: Evidence) -> Free:
-        """Return what is to be refined, and what is under suspicion: that needs a fair trial."""
+        """Return what may differ from the rig file: lenses to be refined, and what is under suspicion.
+
+        Lenses all differ a little. Clocks are in step or they are not, so none is free without suspicion.
+        """
         suspicious = self.config.accuse.model_copy(update={"sigmas": self.config.suspect_sigmas})
         lenses, clocks = set[str](), set[str]()
         for finding in self._accuse(evidence, suspicious):
             (lenses if finding.kind is FindingKind.WRONG_INTRINSICS else clocks).update(finding.cameras)
-        everyone = evidence.nominal.cameras
-        return Free(
-            frozenset(everyone if self._refines_lenses else lenses),
-            frozenset(everyone if self._refines_clocks else clocks),
-        )
+        asked = evidence.nominal.cameras if self._refines_lenses else lenses
+        return Free(frozenset(asked), frozenset(clocks))
