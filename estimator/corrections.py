@@ -18,11 +18,16 @@ _NOTHING = 1e-6  # of a unit: what a clock or a lens that is held may still be o
 
 
 def belief_from(evidence: Evidence, usual: UsualErrors, free: Free) -> Belief:
-    """Return what all windows' evidence says of poses, lenses and clocks; only those in doubt may change."""
+    """Return what all windows' evidence says of poses, lenses and clocks; only those in doubt may change.
+
+    The covariance is stated as if all lenses were in doubt: what patches measure wrongly in one direction
+    acts on poses as small errors of lenses do, and with lenses held it would be three times too small.
+    """
     nominal = evidence.nominal
     posterior = evidence.posterior(usual, free)
+    wary = evidence.posterior(usual, replace(free, lenses=frozenset(nominal.cameras)))
     size = Unknowns(nominal).pose_size
-    covariance = posterior.covariance[:size, :size] * max(1.0, posterior.disagreement)
+    covariance = wary.covariance[:size, :size] * max(1.0, wary.disagreement)
     ahead_s = dict(zip(nominal.cameras, clocks_at(nominal, posterior.mean), strict=True))
     return Belief(rig_at(nominal, posterior.mean), covariance, ahead_s)
 
