@@ -14,6 +14,7 @@ from estimator.config import Config
 from estimator.estimate import Estimate
 from estimator.factors import GraphConfig
 from estimator.keyframe import Keyframe
+from estimator.lens_watch import Refine
 from estimator.online import OnlineConfig, OnlineEstimator
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation, after_window
@@ -34,6 +35,7 @@ class BatchConfig(Config):
     online: OnlineConfig = OnlineConfig()
     window: WindowConfig = WindowConfig(repeats=1, graph=_PATIENT)
     segment_keyframes: int = 100
+    refine: Refine = "none"
 
 
 class BatchEstimator:
@@ -42,9 +44,12 @@ class BatchEstimator:
     Sees bundles and the nominal rig, nothing else. Deterministic: the same bundles give the same bytes.
     """
 
+    config_type = BatchConfig
+
     def __init__(self, rig: Rig, config: BatchConfig | None = None) -> None:
         self.config = config or BatchConfig()
-        self._online = OnlineEstimator(rig, self.config.online)
+        refine = self.config.online.refine if self.config.refine == "none" else self.config.refine
+        self._online = OnlineEstimator(rig, self.config.online.model_copy(update={"refine": refine}))
         self._belief = Belief.nominal(rig)
         self._scale_information: ScaleInformation = {}
         self._has_learnt = False
@@ -80,8 +85,9 @@ class BatchEstimator:
             replace(k, world_from_ego=poses.get(k.stamp_ns, k.world_from_ego)) for k in self._segment
         ]
         start = self._online.belief.rig
+        before = replace(self._belief, ahead_s=self._online.belief.ahead_s)
         result = WindowCalibration(
-            keyframes, self._belief, True, self.config.window, Stopwatch(), start=start
+            keyframes, before, True, self.config.window, Stopwatch(), start=start
         ).run()
         if result is not None:
             self._belief, self._has_learnt = result.belief, True

@@ -6,7 +6,8 @@ does not grow with the drive.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -24,10 +25,12 @@ class Belief:
     Attributes:
         rig: The mean.
         covariance: (6 C, 6 C) of the right perturbations, cameras in the order of ``rig.estimated_names``.
+        ahead_s: By camera, how far clocks are ahead; those that are not named are right.
     """
 
     rig: Rig
     covariance: Array
+    ahead_s: Mapping[str, float] = field(default_factory=dict)
 
     @staticmethod
     def nominal(rig: Rig) -> Belief:
@@ -66,7 +69,8 @@ class Belief:
         along the line from the reference camera to it.
         """
         direction = self._along_scale()
-        return Belief(self.rig, self.covariance + scale_sigma**2 * np.outer(direction, direction))
+        wider = self.covariance + scale_sigma**2 * np.outer(direction, direction)
+        return replace(self, covariance=wider)
 
     def scale_sigma(self) -> float:
         """Return how far, relatively, the rig may grow or shrink as a whole before the belief objects."""

@@ -8,6 +8,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from estimator.camera import Camera
 from estimator.finding import Finding
 from estimator.scale import ScaleEvidence
 from estimator.se3 import SE3, Array
@@ -40,6 +41,7 @@ class CameraEstimate:
         observed: For each axis of the covariance (rx, ry, rz, tx, ty, tz), whether the drive itself has made
             it observable, and not the prior; None if the estimator does not say.
         weak_axes: What is not observed, in words: pitch, yaw, roll, forward, sideways, height.
+        camera: The refined intrinsics; None where those of the rig file were used.
     """
 
     ego_from_cam: SE3
@@ -48,6 +50,7 @@ class CameraEstimate:
     inlier_count: int = 0
     observed: Axes | None = None
     weak_axes: tuple[str, ...] = ()
+    camera: Camera | None = None
 
     @property
     def sigma(self) -> Array:

@@ -82,12 +82,13 @@ class FrontEnd:
         }
 
     def correct(self, rig: Rig, trusted: frozenset[str], new_from_old: SE3, scale: float) -> None:
-        """Take over better extrinsics, which of them are good, and a better place for the newest keyframe."""
+        """Take over a better rig, which of it is good, and a better place for the newest keyframe."""
         reference = rig[rig.reference].ego_from_cam
         pose = self.odometry.world_from_ego
         origin = (pose @ reference).translation
-        for tracker in self.trackers.values():
+        for name, tracker in self.trackers.items():
             tracker.move_world(new_from_old, scale, origin)
+            tracker.camera = rig[name].camera
         self._seen_from = {name: new_from_old @ old for name, old in self._seen_from.items()}
         self.odometry.correct(new_from_old @ pose, scale)
         self.rig, self._trusted = rig, trusted

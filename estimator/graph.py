@@ -77,8 +77,9 @@ def adjust(
         RuntimeError: The system could not be solved.
     """
     graph, values = gtsam.NonlinearFactorGraph(), gtsam.Values()
-    add_poses(graph, values, scene, config, fixed_poses)
     indeterminate = indeterminate_landmarks(scene, observations, loss)
+    observations = scene.as_if_in_time(observations)
+    add_poses(graph, values, scene, config, fixed_poses)
     add_landmarks(graph, values, scene, observations, indeterminate)
     add_sightings(graph, scene, observations, loss)
     sources = {name: gtsam.NonlinearFactorGraph() for name in (ROAD, REAR_AXLE, BELIEF)}

@@ -11,6 +11,7 @@ from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Estimate, Match, 
 from estimator.finding import Finding
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
+from estimator.lens_watch import LensConfig, LensWatch, Refine
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
 from estimator.path import Path
 from estimator.rig import Rig
@@ -35,6 +36,8 @@ class OnlineConfig(Config):
     status: StatusConfig = StatusConfig()
     observability: ObservabilityConfig = ObservabilityConfig()
     watch: WatchConfig = WatchConfig()
+    lens: LensConfig = LensConfig()
+    refine: Refine = "none"
 
 
 class OnlineEstimator:
@@ -50,12 +53,15 @@ class OnlineEstimator:
         started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
     """
 
+    config_type = OnlineConfig
+
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
         self.config = config or OnlineConfig()
         self.belief = Belief.nominal(rig)
         self.scale_information: ScaleInformation = {}
         self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
+        self._lens_watch = LensWatch(rig, self.config.lens, self.config.window, self.config.refine)
         self._keyframes: list[Keyframe] = []
         self.path = Path()
         self.newest_keyframe: Keyframe | None = None
@@ -124,8 +130,10 @@ class OnlineEstimator:
             self._watch.see_window(keyframes, self.belief, result)
         if result is None:
             return ()
+        with stopwatch.stage("lens"):
+            self._lens_watch.learn(result.scene, result.seen)
         with stopwatch.stage("fuse"):
-            self.belief = result.belief
+            self.belief = self._lens_watch.corrected or result.belief
             self.scale_information = after_window(self.scale_information, result.scale_information)
             self._correct_motion(keyframes, result)
             self._newest = result
@@ -136,7 +144,7 @@ class OnlineEstimator:
 
     def _correct_motion(self, keyframes: list[Keyframe], result: WindowResult) -> None:
         """Move path, tracks and odometry to where the window found the car to be."""
-        first, last = result.world_from_egos[0], result.world_from_egos[-1]
+        first, last = result.scene.world_from_egos[0], result.scene.world_from_egos[-1]
         if self._newest is None:  # the first window says how level the car stood when it started
             heading = keyframes[0].world_from_ego.log()[2]
             flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0]))
@@ -161,7 +169,7 @@ class OnlineEstimator:
         stated = self.belief.with_scale_sigma(self.config.shared_scale_sigma)
         if self._newest is None:
             stated = self.belief
-        findings = self._watch.findings()
+        findings = (*self._watch.findings(), *self._lens_watch.findings)
         cameras = {name: self._camera_estimate(name, stated, findings) for name in self.belief.rig.cameras}
         poses = self.path.poses()
         return Estimate(
@@ -185,6 +193,7 @@ class OnlineEstimator:
             self._inliers[name],
             observed,
             weak_axes,
+            self._lens_watch.lenses.get(name),
         )
 
     def _observed(self, name: str) -> tuple[Axes, tuple[str, ...]]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from estimator.clocks import Clocks
 from estimator.observations import Index, Mask, Observations
 from estimator.rig import Rig
 from estimator.se3 import SE3, Array
@@ -24,25 +25,31 @@ class Scene:
         world_from_egos: Pose of the car at each keyframe; the road is near world z = 0.
         points_world: (M, 3) landmarks; NaN where unknown.
         stamps_ns: When each keyframe was; empty where nobody asks how fast the car went.
+        clocks: Stamps and clocks that are ahead; None where all cameras look at the same instant.
     """
 
     rig: Rig
     world_from_egos: tuple[SE3, ...]
     points_world: Array
     stamps_ns: tuple[int, ...] = ()
+    clocks: Clocks | None = None
 
     def camera_pose(self, camera: int, keyframe: int) -> SE3:
         """Return ``world_from_cam`` of one camera at one keyframe."""
-        mounted = list(self.rig.cameras.values())[camera]
-        return self.world_from_egos[keyframe] @ mounted.ego_from_cam
+        rotation, translation = self.pose_arrays(np.array([camera]), np.array([keyframe]))
+        return SE3(rotation[0], translation[0])
 
     def pose_arrays(self, camera: Index, keyframe: Index) -> tuple[Array, Array]:
         """Return (N, 3, 3) rotations and (N, 3) translations of ``world_from_cam``."""
         mounted = [m.ego_from_cam for m in self.rig.cameras.values()]
         rotation_cam = np.stack([p.rotation for p in mounted])[camera]
         translation_cam = np.stack([p.translation for p in mounted])[camera]
-        rotation_ego = np.stack([p.rotation for p in self.world_from_egos])[keyframe]
-        translation_ego = np.stack([p.translation for p in self.world_from_egos])[keyframe]
+        if self.clocks is None:
+            rotation_ego = np.stack([p.rotation for p in self.world_from_egos])[keyframe]
+            translation_ego = np.stack([p.translation for p in self.world_from_egos])[keyframe]
+        else:
+            rotations, translations = self.clocks.stances(self.world_from_egos)
+            rotation_ego, translation_ego = rotations[keyframe, camera], translations[keyframe, camera]
         rotation = rotation_ego @ rotation_cam
         return rotation, np.einsum("nij,nj->ni", rotation_ego, translation_cam) + translation_ego
 
@@ -69,6 +76,16 @@ class Scene:
         rotation, translation = self.pose_arrays(camera, keyframe)
         points_cam = np.einsum("nji,nj->ni", rotation, points_world - translation)
         return self.project(camera, points_cam)
+
+    def as_if_in_time(self, observations: Observations) -> Observations:
+        """Return what the cameras would have seen of known landmarks with clocks that are right."""
+        if self.clocks is None:
+            return observations
+        points = self.points_world[observations.landmark]
+        late = self.predict(observations.camera, observations.keyframe, points)
+        in_time = replace(self, clocks=None).predict(observations.camera, observations.keyframe, points)
+        moved = observations.pixels + np.nan_to_num(in_time - late)
+        return replace(observations, pixels=moved)
 
     def residuals_px(self, observations: Observations) -> Array:
         """Return the (N,) distances between prediction and measurement; NaN where there is none."""

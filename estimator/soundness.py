@@ -11,7 +11,7 @@ _LEAST_EIGENVALUE = -1e-9  # of the greatest: rounding
 
 def is_sound(result: WindowResult) -> bool:
     """Tell whether every pose is finite and the covariance is one: finite and positive semidefinite."""
-    poses = [*result.world_from_egos, *(m.ego_from_cam for m in result.belief.rig.cameras.values())]
+    poses = [*result.scene.world_from_egos, *(m.ego_from_cam for m in result.belief.rig.cameras.values())]
     covariance = result.belief.covariance
     if not np.isfinite(covariance).all() or not all(np.isfinite(pose.matrix).all() for pose in poses):
         return False

@@ -35,20 +35,22 @@ class WindowResult:
 
     Attributes:
         belief: The extrinsics after it.
-        world_from_egos: Pose of the car at each keyframe, in the window's own world: road at z = 0.
         inlier_count: By camera, sightings that support the belief.
         link_count: By camera, those among them that tie it to another camera.
         median_px: Median reprojection error.
         matches: Landmarks that two cameras share, for people to look at.
+        scene: The adjusted values, in the window's own world: road near z = 0.
+        seen: The sightings they were adjusted to.
         scale_information: What each source of it said of scale.
     """
 
     belief: Belief
-    world_from_egos: tuple[SE3, ...]
     inlier_count: dict[str, int]
     link_count: dict[str, int]
     median_px: float
     matches: tuple[Match, ...]
+    scene: Scene
+    seen: Observations
     scale_information: ScaleInformation = field(default_factory=dict)
 
     def path_from(self, world_from_first: SE3) -> list[SE3]:
@@ -57,8 +59,8 @@ class WindowResult:
         Each window hands its last pose on to the next one, so what rounding does to a rotation would grow
         from window to window, within a hundred metres to what can be seen; so they are made rotations again.
         """
-        world_from_window = world_from_first @ self.world_from_egos[0].inverse()
-        poses = [world_from_window @ pose for pose in self.world_from_egos]
+        world_from_window = world_from_first @ self.scene.world_from_egos[0].inverse()
+        poses = [world_from_window @ pose for pose in self.scene.world_from_egos]
         return [SE3.from_quaternion_xyzw(pose.quaternion_xyzw, pose.translation) for pose in poses]
 
 
@@ -92,11 +94,12 @@ def conclude(
     links = np.bincount(inliers.camera[_shared(inliers)], minlength=len(names)).tolist()
     return WindowResult(
         Belief(scene.rig, covariance),
-        scene.world_from_egos,
         dict(zip(names, counts, strict=True)),
         dict(zip(names, links, strict=True)),
         median_px,
         cross_camera_matches(inliers, names, stamps_ns),
+        scene,
+        seen,
     )
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from estimator.anchors import Anchors, choose_anchors
 from estimator.belief import Belief
 from estimator.bundle import Image
+from estimator.clocks import Clocks
 from estimator.corridor import road_landmarks
 from estimator.factors import GraphConfig
 from estimator.graph import adjust
@@ -49,7 +50,10 @@ class WindowState:
         _, landmark = np.unique(tracks.landmark, return_inverse=True)
         self.tracks = replace(tracks, landmark=np.asarray(landmark, np.int64))
         unknown = np.full((int(self.tracks.landmark.max(initial=-1)) + 1, 3), np.nan)
-        self.scene = Scene(rig, poses, unknown, tuple(keyframe.stamp_ns for keyframe in keyframes))
+        stamps_ns = tuple(keyframe.stamp_ns for keyframe in keyframes)
+        ahead_s = tuple(belief.ahead_s.get(name, 0.0) for name in names)
+        clocks = Clocks(stamps_ns, ahead_s) if any(ahead_s) else None
+        self.scene = Scene(rig, poses, unknown, stamps_ns, clocks)
         self.triangulate_unknown()
 
     def is_unsure(self, sigma_rad: float) -> bool:

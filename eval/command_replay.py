@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from eval.options import EstimatorName, Out, Quiet, Verbose
+from eval.options import EstimatorName, EstimatorSettings, Out, Quiet, Verbose
 
 
 def replay_command(
@@ -15,6 +15,7 @@ def replay_command(
     rig: Annotated[Path, typer.Option(metavar="RIG.yaml", help="The nominal rig that recorded it.")],
     estimator: EstimatorName = "online",
     out: Out = None,
+    settings: EstimatorSettings = None,
     quiet: Quiet = False,
     verbose: Verbose = False,
 ) -> None:
@@ -22,5 +23,5 @@ def replay_command(
     from eval.judged import judged
     from eval.replay import ReplayRequest, replay
 
-    request = ReplayRequest(bag, rig, estimator, out)
+    request = ReplayRequest(bag, rig, estimator, out, tuple(settings or ()))
     judged(lambda console: replay(request, console), quiet=quiet, verbose=verbose)

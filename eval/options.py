@@ -14,7 +14,17 @@ EstimatorName = Annotated[
 ]
 Settings = Annotated[
     list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Override a scenario key, such as drive.speed_mps=8."),
+    typer.Option(
+        "--set",
+        metavar="KEY=VALUE",
+        help="Override a key of the scenario (drive.speed_mps=8) or estimator (estimator.refine=intrinsics).",
+    ),
+]
+EstimatorSettings = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set", metavar="KEY=VALUE", help="Override a setting, such as estimator.refine=intrinsics."
+    ),
 ]
 Out = Annotated[
     Path | None,

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from eval.console import Console
+from eval.estimator_settings import is_of_estimator, with_settings
 from eval.estimators import find_estimator
 from eval.failure_log import keeping_traceback
 from eval.header import RunHeader
@@ -36,8 +37,10 @@ def run(request: RunRequest, console: Console) -> RunResult:
         InputError: The request is wrong.
         EstimatorError: The estimator raised.
     """
-    scenario = load_scenario(request.scenario, request.settings, request.seed)
+    of_scenario = [setting for setting in request.settings if not is_of_estimator(setting)]
+    scenario = load_scenario(request.scenario, of_scenario, request.seed)
     make_estimator = find_estimator(request.estimator)
+    make_configured = with_settings(request.estimator, make_estimator, request.settings)
     digest = recording_digest(scenario, request.seed)
     out = request.out or RUNS / run_name(scenario.name, request.seed, request.estimator)
     with replacing_run_folder(out) as folder, keeping_traceback(out):
@@ -54,7 +57,7 @@ def run(request: RunRequest, console: Console) -> RunResult:
                 scenario.about,
                 settings=settings_by_path(request.settings),
             )
-            result = judge_recording(bag, scenario.rig, make_estimator, header, folder, console)
+            result = judge_recording(bag, scenario.rig, make_configured, header, folder, console)
     return replace(result, folder=out)
 
 

@@ -7,6 +7,7 @@ Files: ``scores.json``, ``extrinsics.csv``, ``rig.yaml``, ``trajectory.tum``, ``
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -49,13 +50,21 @@ def write_run_folder(
 
 
 def final_rig(log: RunLog, rig_nominal: Rig) -> Rig:
-    """Return the rig as estimated; the reference, and a camera without a finite pose, stay nominal."""
+    """Return the rig as estimated, with refined intrinsics where there are any.
+
+    The pose of the reference, and of a camera without a finite one, stays nominal.
+    """
     found = {
         name: log.final.cameras[name].ego_from_cam
         for name in rig_nominal.estimated_names
         if name in log.final.cameras and np.isfinite(log.final.cameras[name].ego_from_cam.matrix).all()
     }
-    return rig_nominal.with_extrinsics(found)
+    lenses = {name: log.final.cameras[name].camera for name in log.final.cameras}
+    cameras = {
+        name: replace(mounted, camera=lenses.get(name) or mounted.camera)
+        for name, mounted in rig_nominal.with_extrinsics(found).cameras.items()
+    }
+    return replace(rig_nominal, cameras=cameras)
 
 
 def scores_json(metrics: Mapping[str, Metric], header: RunHeader) -> dict[str, Any]:

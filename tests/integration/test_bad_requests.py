@@ -34,6 +34,8 @@ RIGTRUE = (sys.executable, "-c", "from eval.cli import main; main()")
         ("list colours", "'scenarios', 'sweeps', 'rigs', 'estimators', 'metrics'"),
         ("report .", "is no run folder, wanted one that holds scores.json"),
         ("replay none --rig {rig}", "none: no such recording"),
+        ("run first_drive --set estimator.refin=none", "--set estimator.refin: unknown key; there are: "),
+        ("replay none --rig {rig} --set drive.speed_mps=3", "--set drive.speed_mps=3: a recording is as it"),
         ("replay . --rig none.yaml", "none.yaml: no such rig file"),
         ("sweep nope", "sweep 'nope' is not known; there are: "),
         ("run {tiny} --out file/below", "file: cannot write this folder"),

@@ -18,9 +18,11 @@ from estimator.se3 import SE3
 from estimator.soundness import is_sound
 from estimator.watch import Watch, WatchConfig, doubted
 from estimator.window_result import WindowResult
-from tests.mounts import PINHOLE, left_side_rig, mounted
+from tests.known_scene import known_scene, sightings
+from tests.mounts import PINHOLE, arc, left_side_rig, mounted
 
 RIG = Rig("front", {**left_side_rig().cameras, "second": mounted(PINHOLE, (1.7, -0.3, 1.4), 0.0, 8.0)})
+SCENE = known_scene(RIG, arc(1.0, 3))
 SEEN = dict.fromkeys(RIG.cameras, 1000)
 
 
@@ -111,8 +113,8 @@ def test_a_camera_in_the_road_gives_no_scale() -> None:
 
 
 def test_numbers_that_are_none_and_covariances_that_are_none_are_unsound() -> None:
-    good = WindowResult(moved(0.0, 0.0), (SE3(),), {}, {}, 0.1, ())
+    good = WindowResult(moved(0.0, 0.0), {}, {}, 0.1, (), SCENE, sightings(SCENE))
     assert is_sound(good)
-    assert not is_sound(replace(good, world_from_egos=(SE3(np.full((3, 3), np.nan)),)))
+    assert not is_sound(replace(good, scene=replace(SCENE, world_from_egos=(SE3(np.full((3, 3), np.nan)),))))
     for covariance in (np.full((18, 18), np.nan), -np.eye(18)):
         assert not is_sound(replace(good, belief=Belief(RIG, covariance)))

@@ -76,6 +76,7 @@ def test_a_path_that_is_handed_from_window_to_window_keeps_its_rotations() -> No
     bent = SE3(np.eye(3) + 1e-6 * np.ones((3, 3)), np.zeros(3))
     result = concluded()
     assert result is not None
-    result = replace(result, world_from_egos=(bent, bent @ SE3.exp(np.array([0.0, 0.0, 0.1, 1.0, 0.0, 0.0]))))
+    onwards = bent @ SE3.exp(np.array([0.0, 0.0, 0.1, 1.0, 0.0, 0.0]))
+    result = replace(result, scene=replace(result.scene, world_from_egos=(bent, onwards)))
     for pose in result.path_from(bent):
         np.testing.assert_allclose(pose.rotation.T @ pose.rotation, np.eye(3), atol=1e-12)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from eval.collect import RunLog
 from eval.header import RunHeader
 from eval.json_text import json_text
 from eval.report import rewrite_report, write_report
-from eval.run_folder import write_run_folder
+from eval.run_folder import final_rig, write_run_folder
 from eval.scores import score
 from tests.unit.eval.tiny_run import RIG, START_NS, run_log, straight, truth_of
 
@@ -39,6 +40,16 @@ def written(folder: Path, header: RunHeader) -> Mapping[str, Any]:
     log = run_log(straight(5))
     write_run_folder(folder, log, score(log, None), header, RIG, None)
     return dict(strictly((folder / "scores.json").read_text()))
+
+
+def test_the_final_rig_has_the_lenses_that_were_refined() -> None:
+    log = run_log(straight(3))
+    refined = replace(RIG["rear"].camera, focal_px=(41.0, 41.0))
+    cameras = dict(log.final.cameras)
+    cameras["rear"] = replace(cameras["rear"], camera=refined)
+    log.finish(replace(log.final, cameras=cameras))
+    rig = final_rig(log, RIG)
+    assert rig["rear"].camera == refined and rig["left"].camera == RIG["left"].camera
 
 
 @pytest.mark.parametrize("number", [np.nan, np.inf, -np.inf])

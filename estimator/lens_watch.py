@@ -1,0 +1,165 @@
+"""Watch lenses and clocks while the car drives: gather every window's evidence, and correct where asked.
+
+A lens or clock that is far off makes the adjustment distrust the very sightings that show it, so one
+linearisation misstates the error. The window is therefore adjusted again with lens or clock as found,
+until it no longer changes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Literal
+
+import numpy as np
+from pydantic import Field
+
+from estimator.belief import Belief
+from estimator.camera import Camera
+from estimator.clocks import Clocks
+from estimator.config import Config
+from estimator.corrections import belief_from, scene_at
+from estimator.corridor import road_landmarks
+from estimator.evidence import Evidence, Free, UsualErrors, differences
+from estimator.finding import Finding, FindingKind
+from estimator.graph import adjust
+from estimator.lens_findings import AccusationConfig, accusations
+from estimator.loss import Loss
+from estimator.observations import Observations
+from estimator.rig import Rig
+from estimator.scene import Scene
+from estimator.unknowns import Unknowns
+from estimator.window_config import WindowConfig
+from estimator.window_information import window_information
+
+Refine = Literal["none", "intrinsics", "clocks", "both"]
+
+
+class LensConfig(Config):
+    """What is usual, what is told, and when a window is adjusted again.
+
+    Lens and clock have settled once a round changes them by less than ``settled`` times the usual error.
+    """
+
+    usual: UsualErrors = UsualErrors()
+    accuse: AccusationConfig = AccusationConfig()
+    suspect_sigmas: float = Field(3.0, gt=0)
+    rounds: int = Field(6, ge=0)
+    settled: float = Field(0.03, gt=0)
+
+
+class LensWatch:
+    """The evidence on lenses and clocks so far.
+
+    Attributes:
+        findings: The lenses and clocks that are clearly wrong.
+        belief: The extrinsics by all windows' evidence, with lenses and clocks as corrected.
+        lenses: The refined lenses by camera; empty while none are known.
+    """
+
+    def __init__(self, nominal: Rig, config: LensConfig, window: WindowConfig, refine: Refine) -> None:
+        self.config = config
+        self.window = window
+        self.refine = refine
+        self.findings: tuple[Finding, ...] = ()
+        self.belief = Belief.nominal(nominal)
+        self.lenses: Mapping[str, Camera] = {}
+        self._evidence = Evidence.none(nominal)
+
+    def learn(self, scene: Scene, seen: Observations) -> None:
+        """Add a window, given as it was adjusted; adjust it again where a lens or clock must change."""
+        if scene.clocks is None:
+            scene = replace(scene, clocks=Clocks(scene.stamps_ns, (0.0,) * len(scene.rig.cameras)))
+        try:
+            self._evidence = self._settled(scene, seen)
+        except (RuntimeError, np.linalg.LinAlgError):  # no solution: what was known before stays
+            return
+        self.findings = tuple(map(self._as_told, self._accuse(self._evidence, self.config.accuse)))
+        self.belief = belief_from(self._evidence, self.config.usual, self._free(self._evidence))
+        if self._refines_lenses:
+            self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
+
+    @property
+    def _loss(self) -> Loss:
+        """The loss that the window was adjusted with at last."""
+        return Loss(self.window.sighting_noise.loss_sigmas, of_sigma=True)
+
+    @property
+    def corrected(self) -> Belief | None:
+        """What to believe where lenses or clocks are to be corrected; None if not, or if nothing is known."""
+        if self.refine == "none" or not self._evidence.window_count:
+            return None
+        belief = self.belief
+        if not self._refines_clocks:
+            belief = replace(belief, ahead_s={})
+        if not self._refines_lenses:
+            poses = {name: mounted.ego_from_cam for name, mounted in belief.rig.cameras.items()}
+            belief = replace(belief, rig=self._evidence.nominal.with_extrinsics(poses))
+        return belief
+
+    @property
+    def _refines_lenses(self) -> bool:
+        return self.refine in ("intrinsics", "both")
+
+    @property
+    def _refines_clocks(self) -> bool:
+        return self.refine in ("clocks", "both")
+
+    def _settled(self, scene: Scene, seen: Observations) -> Evidence:
+        """Return all evidence, the window's at lenses and clocks that it no longer changes."""
+        evidence = self._evidence
+        free = self._free(evidence)
+        if evidence.window_count and not self._is_settled(scene, free, evidence):
+            scene = self._adjusted(scene, seen, free, evidence)
+        evidence = self._with(scene, seen)
+        for _ in range(self.config.rounds):
+            free = self._free(evidence)
+            if self._is_settled(scene, free, evidence):
+                break
+            # The loss's own curvature would step too far while residuals are large.
+            scene = self._adjusted(scene, seen, free, self._with(scene, seen, curved=False))
+            evidence = self._with(scene, seen)
+        return evidence
+
+    def _is_settled(self, scene: Scene, free: Free, evidence: Evidence) -> bool:
+        nominal, usual, unknowns = evidence.nominal, self.config.usual, Unknowns(evidence.nominal)
+        target = scene_at(scene, belief_from(evidence, usual, free))
+        change = np.abs(differences(nominal, target) - differences(nominal, scene))
+        limit = self.config.settled * usual.sigmas(unknowns)
+        return bool((change < limit)[unknowns.pose_size :].all())
+
+    def _adjusted(self, scene: Scene, seen: Observations, free: Free, evidence: Evidence) -> Scene:
+        """Adjust the window with lenses and clocks as now known, after all that was known before it."""
+        before = belief_from(self._evidence, self.config.usual, free)
+        scene = scene_at(scene, belief_from(evidence, self.config.usual, free))
+        for loss in (Loss(0.5), self._loss):
+            on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
+            scene = adjust(scene, seen, on_road, before, loss, self.window.graph).scene
+        return scene
+
+    def _with(self, scene: Scene, seen: Observations, *, curved: bool = True) -> Evidence:
+        on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
+        found = window_information(scene, seen, on_road, self._loss, self.window.graph, curved=curved)
+        return self._evidence.with_window(found, scene)
+
+    def _accuse(self, evidence: Evidence, config: AccusationConfig) -> tuple[Finding, ...]:
+        return accusations(evidence.posterior(self.config.usual), evidence.nominal, config)
+
+    def _as_told(self, finding: Finding) -> Finding:
+        """Return the finding; what is corrected spoils no pose."""
+        is_lens = finding.kind is FindingKind.WRONG_INTRINSICS
+        if not (self._refines_lenses if is_lens else self._refines_clocks):
+            return finding
+        return replace(finding, about=f"{finding.about}; corrected", doubtful=False)
+
+    def _free(self, evidence: Evidence) -> Free:
+        """Return what may differ from the rig file: lenses to be refined, and what is under suspicion.
+
+        Lenses all differ a little. Clocks are in step or they are not, so none is free without suspicion.
+        """
+        suspicious = self.config.accuse.model_copy(update={"sigmas": self.config.suspect_sigmas})
+        lenses, clocks = set[str](), set[str]()
+        for finding in self._accuse(evidence, suspicious):
+            (lenses if finding.kind is FindingKind.WRONG_INTRINSICS else clocks).update(finding.cameras)
+        asked = evidence.nominal.cameras if self._refines_lenses else lenses
+        return Free(frozenset(asked), frozenset(clocks))
