@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from estimator.belief import Belief
 from estimator.config import Config
 from estimator.rig import Rig
 from estimator.scene import Scene
@@ -141,7 +142,7 @@ def prior_information(nominal: Rig, usual: UsualErrors, free: Free | None = None
     """Return the (D, D) information of the rig file; the reference's clock is right by definition."""
     unknowns = Unknowns(nominal)
     sigma = usual.sigmas(unknowns)
-    sigma[: unknowns.pose_size] = np.tile(np.sqrt(np.diag(nominal.prior.covariance)), len(unknowns.estimated))
+    sigma[: unknowns.pose_size] = np.sqrt(np.diag(Belief.nominal(nominal).covariance))
     for camera, name in enumerate(unknowns.names):
         if free is not None and name not in free.lenses:
             sigma[unknowns.lens(camera)] *= _HELD

@@ -7,19 +7,17 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
-from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Estimate, Match, Status
-from estimator.finding import Finding
+from estimator.estimate import Estimate, Match
 from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
+from estimator.ledger import Ledger, LedgerConfig
 from estimator.lens_watch import LensConfig, LensWatch, Refine
-from estimator.observability import ObservabilityConfig, observed_axes, weak_words
 from estimator.path import Path
 from estimator.rig import Rig
-from estimator.scale import ScaleInformation, after_window, scale_evidence
+from estimator.scale import ScaleInformation
 from estimator.se3 import SE3
-from estimator.status import StatusConfig, judge
 from estimator.stopwatch import Stopwatch
-from estimator.watch import Watch, WatchConfig, doubted
+from estimator.watch import Watch, WatchConfig
 from estimator.window import WindowCalibration
 from estimator.window_config import WindowConfig
 from estimator.window_pace import PaceConfig, is_keyframe
@@ -32,9 +30,7 @@ class OnlineConfig(Config):
     front_end: FrontEndConfig = FrontEndConfig()
     window: WindowConfig = WindowConfig()
     pace: PaceConfig = PaceConfig()
-    shared_scale_sigma: float = 0.002
-    status: StatusConfig = StatusConfig()
-    observability: ObservabilityConfig = ObservabilityConfig()
+    ledger: LedgerConfig = LedgerConfig()
     watch: WatchConfig = WatchConfig()
     lens: LensConfig = LensConfig()
     refine: Refine = "none"
@@ -47,7 +43,6 @@ class OnlineEstimator:
 
     Attributes:
         belief: The extrinsics as known so far.
-        scale_information: What each source has said of scale so far.
         path: Where the car was, in a world of the estimator's own.
         newest_keyframe: The newest bundle, if it was kept as a keyframe.
         started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
@@ -58,17 +53,13 @@ class OnlineEstimator:
     def __init__(self, rig: Rig, config: OnlineConfig | None = None) -> None:
         self.config = config or OnlineConfig()
         self.belief = Belief.nominal(rig)
-        self.scale_information: ScaleInformation = {}
-        self._nominal = rig
         self._front_end = FrontEnd(rig, self.config.front_end)
         self._lens_watch = LensWatch(rig, self.config.lens, self.config.window, self.config.refine)
         self._keyframes: list[Keyframe] = []
         self.path = Path()
         self.newest_keyframe: Keyframe | None = None
         self.started = False
-        self._newest: WindowResult | None = None
-        self._inliers = dict.fromkeys(rig.cameras, 0)
-        self._links = dict.fromkeys(rig.cameras, 0)
+        self._ledger = Ledger(rig, self.config.ledger)
         self._stamp_ns = 0
         self._watch = Watch(rig, self.config.watch)
 
@@ -109,15 +100,15 @@ class OnlineEstimator:
     @property
     def has_learnt(self) -> bool:
         """Whether any window has been solved."""
-        return self._newest is not None
+        return not self._ledger.is_empty
 
     def final_answer(self, belief: Belief, scale_information: ScaleInformation) -> Estimate:
         """Return what ``close`` would, had the windows taught this belief."""
-        self.belief, self.scale_information = belief, scale_information
+        self.belief, self._ledger.scale_information = belief, scale_information
         return self._estimate(Stopwatch(), (), closing=True)
 
     def _window_length(self) -> int:
-        return self.config.pace.keyframes if self._newest else self.config.pace.first_keyframes
+        return self.config.pace.keyframes if self.has_learnt else self.config.pace.first_keyframes
 
     def _calibrate(self, stopwatch: Stopwatch) -> tuple[Match, ...]:
         """Solve the window, fuse what it taught, and start the next one at its last keyframe."""
@@ -134,18 +125,14 @@ class OnlineEstimator:
             self._lens_watch.learn(result.scene, result.seen)
         with stopwatch.stage("fuse"):
             self.belief = self._lens_watch.corrected or result.belief
-            self.scale_information = after_window(self.scale_information, result.scale_information)
             self._correct_motion(keyframes, result)
-            self._newest = result
-            for name, count in result.inlier_count.items():
-                self._inliers[name] += count
-                self._links[name] += result.link_count[name]
+            self._ledger.add(result)
         return result.matches
 
     def _correct_motion(self, keyframes: list[Keyframe], result: WindowResult) -> None:
         """Move path, tracks and odometry to where the window found the car to be."""
         first, last = result.scene.world_from_egos[0], result.scene.world_from_egos[-1]
-        if self._newest is None:  # the first window says how level the car stood when it started
+        if self._ledger.is_empty:  # the first window says how level the car stood when it started
             heading = keyframes[0].world_from_ego.log()[2]
             flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0]))
             world_from_first = SE3(flat.rotation @ first.rotation, keyframes[0].world_from_ego.translation)
@@ -166,11 +153,9 @@ class OnlineEstimator:
     def _estimate(
         self, stopwatch: Stopwatch, matches: tuple[Match, ...], *, closing: bool = False
     ) -> Estimate:
-        stated = self.belief.with_scale_sigma(self.config.shared_scale_sigma)
-        if self._newest is None:
-            stated = self.belief
         findings = (*self._watch.findings(), *self._lens_watch.findings)
-        cameras = {name: self._camera_estimate(name, stated, findings) for name in self.belief.rig.cameras}
+        missed = {name: tracker.missed_count for name, tracker in self._front_end.trackers.items()}
+        cameras = self._ledger.cameras(self.belief, missed, findings, self._lens_watch.lenses)
         poses = self.path.poses()
         return Estimate(
             self._stamp_ns,
@@ -181,38 +166,5 @@ class OnlineEstimator:
             matches,
             stopwatch.seconds,
             findings,
-            scale=scale_evidence(self.scale_information, self.config.shared_scale_sigma),
+            self._ledger.scale(),
         )
-
-    def _camera_estimate(self, name: str, stated: Belief, findings: tuple[Finding, ...]) -> CameraEstimate:
-        observed, weak_axes = self._observed(name)
-        return CameraEstimate(
-            self.belief.rig[name].ego_from_cam,
-            stated.camera_covariance(name),
-            self._status(name, stated, observed, findings),
-            self._inliers[name],
-            observed,
-            weak_axes,
-            self._lens_watch.lenses.get(name),
-        )
-
-    def _observed(self, name: str) -> tuple[Axes, tuple[str, ...]]:
-        """Return which axes the drive has shown, and the others in words."""
-        if name == self.belief.rig.reference:
-            return ALL_AXES, ()
-        covariance, prior = self.belief.camera_covariance(name), self._nominal.prior.covariance
-        observed = observed_axes(covariance, prior, self.config.observability)
-        pose = self.belief.rig[name].ego_from_cam
-        return observed, weak_words(observed, covariance, prior, pose, self.config.observability)
-
-    def _status(self, name: str, stated: Belief, observed: Axes, findings: tuple[Finding, ...]) -> Status:
-        in_doubt = name in doubted(findings, self._nominal)
-        if name == self.belief.rig.reference:
-            return Status.SUSPECT if in_doubt else Status.CONVERGED
-        if self._newest is None:
-            return Status.INITIALISING
-        missed = self._front_end.trackers[name].missed_count
-        newest = self._newest.inlier_count[name]
-        links, config = self._links[name], self.config.status
-        status = judge(name, stated, self._nominal, links, newest, missed, config, observed)
-        return Status.SUSPECT if in_doubt and status is not Status.LOST else status

@@ -1,0 +1,104 @@
+"""What the windows have shown of each camera so far, and how far that lets its pose be relied on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from estimator.belief import Belief
+from estimator.camera import Camera
+from estimator.config import Config
+from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Status
+from estimator.finding import Finding
+from estimator.observability import ObservabilityConfig, observed_axes, weak_words
+from estimator.rig import Rig
+from estimator.scale import ScaleEvidence, ScaleInformation, after_window, scale_evidence
+from estimator.status import StatusConfig, judge
+from estimator.watch import doubted
+from estimator.window_result import WindowResult
+
+
+class LedgerConfig(Config):
+    """How evidence becomes a statement.
+
+    ``shared_scale_sigma`` is the relative error of scale that all windows of a drive share.
+    """
+
+    shared_scale_sigma: float = 0.002
+    status: StatusConfig = StatusConfig()
+    observability: ObservabilityConfig = ObservabilityConfig()
+
+
+class Ledger:
+    """Grows with every window that was believed; its size does not.
+
+    Attributes:
+        scale_information: What each source has said of scale so far.
+    """
+
+    def __init__(self, nominal: Rig, config: LedgerConfig) -> None:
+        self.config = config
+        self.scale_information: ScaleInformation = {}
+        self._nominal = nominal
+        self._inliers = dict.fromkeys(nominal.cameras, 0)
+        self._links = dict.fromkeys(nominal.cameras, 0)
+        self._newest: Mapping[str, int] | None = None
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no window has been believed yet."""
+        return self._newest is None
+
+    def add(self, result: WindowResult) -> None:
+        """Take down what a window has shown."""
+        self.scale_information = after_window(self.scale_information, result.scale_information)
+        self._newest = result.inlier_count
+        for name, count in result.inlier_count.items():
+            self._inliers[name] += count
+            self._links[name] += result.link_count[name]
+
+    def scale(self) -> ScaleEvidence | None:
+        """Return what is known of metric scale."""
+        return scale_evidence(self.scale_information, self.config.shared_scale_sigma)
+
+    def cameras(
+        self,
+        belief: Belief,
+        missed: Mapping[str, int],
+        findings: tuple[Finding, ...],
+        lenses: Mapping[str, Camera],
+    ) -> dict[str, CameraEstimate]:
+        """State every camera's pose.
+
+        Args:
+            belief: What is believed of the extrinsics.
+            missed: By camera, how many bundles in a row came without its image.
+            findings: What was noticed.
+            lenses: Refined intrinsics by camera, if any.
+        """
+        stated = belief if self.is_empty else belief.with_scale_sigma(self.config.shared_scale_sigma)
+        in_doubt = doubted(findings, self._nominal)
+        estimates = {}
+        for name in belief.rig.cameras:
+            pose = belief.rig[name].ego_from_cam
+            covariance, prior = belief.camera_covariance(name), self._nominal.prior.covariance
+            is_reference = name == belief.rig.reference
+            limits = self.config.observability
+            observed = ALL_AXES if is_reference else observed_axes(covariance, prior, limits)
+            weak_axes = () if is_reference else weak_words(observed, covariance, prior, pose, limits)
+            status = self._status(name, stated, missed[name], observed)
+            if name in in_doubt and status not in (Status.LOST, Status.INITIALISING):
+                status = Status.SUSPECT
+            estimates[name] = CameraEstimate(
+                pose, stated.camera_covariance(name), status, self._inliers[name], observed, weak_axes,
+                lenses.get(name),
+            )  # fmt: skip
+        return estimates
+
+    def _status(self, name: str, stated: Belief, missed: int, observed: Axes) -> Status:
+        """Return the status that the windows' evidence gives, whatever else was noticed."""
+        if name == stated.rig.reference:
+            return Status.CONVERGED
+        if self._newest is None:
+            return Status.INITIALISING
+        links, newest = self._links[name], self._newest[name]
+        return judge(name, stated, self._nominal, links, newest, missed, self.config.status, observed)
