@@ -39,6 +39,7 @@ class Ledger:
         self.config = config
         self.scale_information: ScaleInformation = {}
         self._nominal = nominal
+        self._prior = Belief.nominal(nominal)
         self._inliers = dict.fromkeys(nominal.cameras, 0)
         self._links = dict.fromkeys(nominal.cameras, 0)
         self._newest: Mapping[str, int] | None = None
@@ -80,7 +81,7 @@ class Ledger:
         estimates = {}
         for name in belief.rig.cameras:
             pose = belief.rig[name].ego_from_cam
-            covariance, prior = belief.camera_covariance(name), self._nominal.prior.covariance
+            covariance, prior = belief.camera_covariance(name), self._prior.camera_covariance(name)
             is_reference = name == belief.rig.reference
             limits = self.config.observability
             observed = ALL_AXES if is_reference else observed_axes(covariance, prior, limits)

@@ -1,0 +1,72 @@
+"""What is stated of a camera: its status follows the windows' evidence, and what was noticed goes before."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from estimator.belief import Belief
+from estimator.estimate import Status
+from estimator.finding import Finding, FindingKind
+from estimator.ledger import Ledger, LedgerConfig
+from estimator.window_result import ResultConfig, WindowResult, conclude
+from tests.known_scene import known_scene, sightings
+from tests.mounts import arc, left_side_rig
+
+RIG = left_side_rig()
+SCENE = known_scene(RIG, arc(1.0, 10))
+SEEN = sightings(SCENE, noise_px=0.1)
+TRACKED = int(np.sum(~SEEN.handed_over))
+SURE = Belief(RIG, 1e-8 * np.eye(12))
+NOBODY_MISSED = dict.fromkeys(RIG.cameras, 0)
+LIMITS = ResultConfig(min_inliers=50)
+SWAPPED = Finding(FindingKind.SWAPPED_CAMERAS, ("left_rear", "front"), "the two are swapped")
+
+
+def window() -> WindowResult:
+    result = conclude(SCENE, SEEN, SURE.covariance, range(10), TRACKED, LIMITS)
+    assert result is not None
+    return result
+
+
+def statuses(ledger: Ledger, *findings: Finding, missed: dict[str, int] = NOBODY_MISSED) -> dict[str, Status]:
+    return {name: c.status for name, c in ledger.cameras(SURE, missed, findings, {}).items()}
+
+
+def filled() -> Ledger:
+    ledger = Ledger(RIG, LedgerConfig())
+    ledger.add(window())
+    return ledger
+
+
+def test_before_the_first_window_nothing_is_known_and_nothing_is_added_to_the_prior() -> None:
+    ledger = Ledger(RIG, LedgerConfig())
+    assert ledger.is_empty and ledger.scale() is None
+    assert statuses(ledger)["left_rear"] is Status.INITIALISING
+    cameras = ledger.cameras(SURE, NOBODY_MISSED, (), {})
+    np.testing.assert_array_equal(cameras["left_rear"].covariance, SURE.camera_covariance("left_rear"))
+
+
+def test_a_window_makes_sure_cameras_converged_and_states_the_shared_error_of_scale() -> None:
+    ledger = filled()
+    assert statuses(ledger) == dict.fromkeys(RIG.cameras, Status.CONVERGED)
+    stated = ledger.cameras(SURE, NOBODY_MISSED, (), {})["left_rear"].covariance
+    assert np.trace(stated[3:, 3:]) > np.trace(SURE.camera_covariance("left_rear")[3:, 3:])
+
+
+def test_a_camera_in_doubt_is_suspect_and_a_doubted_reference_makes_all_so() -> None:
+    own = Finding(FindingKind.WRONG_INTRINSICS, ("left_rear",), "its lens is another")
+    assert statuses(filled(), own)["left_rear"] is Status.SUSPECT
+    assert statuses(filled(), own)["left_front"] is Status.CONVERGED
+    assert set(statuses(filled(), SWAPPED).values()) == {Status.SUSPECT}
+
+
+def test_a_camera_that_went_silent_is_lost_whatever_was_noticed() -> None:
+    missed = NOBODY_MISSED | {"left_rear": 50}
+    assert statuses(filled(), SWAPPED, missed=missed)["left_rear"] is Status.LOST
+
+
+def test_sightings_add_up_over_windows() -> None:
+    once, twice = filled(), filled()
+    twice.add(window())
+    counts = [each.cameras(SURE, NOBODY_MISSED, (), {})["left_front"].inlier_count for each in (once, twice)]
+    assert counts[1] == 2 * counts[0] > 0
