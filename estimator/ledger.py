@@ -8,7 +8,7 @@ from estimator.belief import Belief
 from estimator.camera import Camera
 from estimator.config import Config
 from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Status
-from estimator.finding import Finding
+from estimator.finding import Finding, FindingKind
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
 from estimator.rig import Rig
 from estimator.scale import ScaleEvidence, ScaleInformation, after_window, scale_evidence
@@ -78,6 +78,7 @@ class Ledger:
         """
         stated = belief if self.is_empty else belief.with_scale_sigma(self.config.shared_scale_sigma)
         in_doubt = doubted(findings, self._nominal)
+        has_wrong_lens = any(f.doubtful and f.kind is FindingKind.WRONG_INTRINSICS for f in findings)
         estimates = {}
         for name in belief.rig.cameras:
             pose = belief.rig[name].ego_from_cam
@@ -89,6 +90,8 @@ class Ledger:
             status = self._status(name, stated, missed[name], observed)
             if name in in_doubt and status not in (Status.LOST, Status.INITIALISING):
                 status = Status.SUSPECT
+            elif has_wrong_lens and status is Status.CONVERGED and not is_reference:
+                status = Status.WEAK  # its neighbours share landmarks with it, and are pulled along
             estimates[name] = CameraEstimate(
                 pose, stated.camera_covariance(name), status, self._inliers[name], observed, weak_axes,
                 lenses.get(name),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from estimator.belief import Belief
@@ -54,10 +56,16 @@ def test_a_window_makes_sure_cameras_converged_and_states_the_shared_error_of_sc
 
 
 def test_a_camera_in_doubt_is_suspect_and_a_doubted_reference_makes_all_so() -> None:
-    own = Finding(FindingKind.WRONG_INTRINSICS, ("left_rear",), "its lens is another")
+    own = Finding(FindingKind.CLOCK_OFFSET, ("left_rear",), "its clock is late")
     assert statuses(filled(), own)["left_rear"] is Status.SUSPECT
     assert statuses(filled(), own)["left_front"] is Status.CONVERGED
     assert set(statuses(filled(), SWAPPED).values()) == {Status.SUSPECT}
+
+
+def test_a_wrong_lens_makes_its_neighbours_weak_until_it_is_corrected() -> None:
+    wrong = Finding(FindingKind.WRONG_INTRINSICS, ("left_rear",), "its lens is another")
+    assert statuses(filled(), wrong)["left_front"] is Status.WEAK
+    assert statuses(filled(), replace(wrong, doubtful=False))["left_front"] is Status.CONVERGED
 
 
 def test_a_camera_that_went_silent_is_lost_whatever_was_noticed() -> None:
