@@ -10,6 +10,7 @@ import numpy as np
 import poselib
 
 from estimator.config import Config
+from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
 from estimator.rig import MountedCamera
 from estimator.road import road_scale
 from estimator.se3 import SE3, Array
@@ -100,23 +101,20 @@ class Odometry:
         self._last_step = SE3(self._last_step.rotation, self._last_step.translation * step_scale)
 
     def _fit(self, rays_cam: Array, points_world: Array) -> SE3 | None:
-        plane, focal_px, camera = self._as_pinhole(rays_cam)
+        focal_px = focal_of(self.mounted.camera)
         ahead = rays_cam[:, 2] > 0.2
         predicted = (self.predicted_world_from_ego @ self.mounted.ego_from_cam).inverse()
-        start = poselib.CameraPose()
-        start.R, start.t = predicted.rotation, predicted.translation
         pose, info = poselib.estimate_absolute_pose(
-            plane[ahead] * focal_px,
+            on_plane_px(rays_cam[ahead], focal_px),
             points_world[ahead],
-            camera,
+            pinhole(focal_px),
             {"max_reproj_error": self.config.max_error_px, "max_iterations": 500, "seed": 1},
             {"loss_type": "CAUCHY", "loss_scale": 0.7},
-            start,
+            to_poselib(predicted),
         )
         if info["num_inliers"] < self.config.min_points // 3:
             return None
-        cam_from_world = SE3(np.array(pose.R), np.array(pose.t))
-        return cam_from_world.inverse() @ self.mounted.ego_from_cam.inverse()
+        return from_poselib(pose).inverse() @ self.mounted.ego_from_cam.inverse()
 
     def _start(self, tracker: Tracker) -> bool:
         """Find the motion since the first image, and its length from the road."""
@@ -125,19 +123,17 @@ class Odometry:
         if usable.sum() < self.config.min_points:
             return False
         first_cam, last_cam = tracker.anchor_rays_cam[usable], tracker.rays_cam[usable]
-        first, focal_px, camera = self._as_pinhole(first_cam)
-        last = self._as_pinhole(last_cam)[0]
+        focal_px = focal_of(self.mounted.camera)
         pose, info = poselib.estimate_relative_pose(
-            first * focal_px,
-            last * focal_px,
-            camera,
-            camera,
+            on_plane_px(first_cam, focal_px),
+            on_plane_px(last_cam, focal_px),
+            pinhole(focal_px),
+            pinhole(focal_px),
             {"max_epipolar_error": 1.0, "seed": 1},
             {"loss_type": "CAUCHY", "loss_scale": 0.5},
         )
         inliers = np.array(info["inliers"], bool)
-        last_from_first = SE3(np.array(pose.R), np.array(pose.t))
-        first_from_last = last_from_first.inverse()
+        first_from_last = from_poselib(pose).inverse()
         turned = last_cam @ first_from_last.rotation.T
         parallax = np.arccos(np.clip(np.einsum("ni,ni->n", first_cam, turned), -1, 1))
         if inliers.sum() < self.config.min_points:
@@ -167,9 +163,3 @@ class Odometry:
         heading = self.mounted.ego_from_cam.rotation @ first_from_last.translation
         beside = np.abs(level @ np.array([-heading[1], heading[0], 0.0])) / np.hypot(*heading[:2])
         return road_scale(level, beside < -level[:, 2], float(self.mounted.ego_from_cam.translation[2]))
-
-    def _as_pinhole(self, rays_cam: Array) -> tuple[Array, float, dict[str, object]]:
-        """Return (N, 2) plane points, a focal length that gives them pixel units, and poselib's camera."""
-        focal_px = float(np.mean(self.mounted.camera.focal_px))
-        camera = {"model": "PINHOLE", "width": 2, "height": 2, "params": [focal_px, focal_px, 0.0, 0.0]}
-        return rays_cam[:, :2] / rays_cam[:, 2:], focal_px, camera

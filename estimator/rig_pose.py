@@ -14,6 +14,7 @@ import poselib
 
 from estimator.config import Config
 from estimator.observations import Mask
+from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
 from estimator.rig import Rig
 from estimator.se3 import SE3, Array
 
@@ -68,14 +69,14 @@ def fit_rig_pose(rig: Rig, sights: Mapping[str, Sight], start: SE3, config: RigP
     count = sum(len(sights[name].rays_cam) for name in names)
     if count < config.min_inliers:
         return None
-    focal_px = {name: float(np.mean(rig[name].camera.focal_px)) for name in names}
-    pixels = [_plane(sights[name].rays_cam) * focal_px[name] for name in names]
+    focal_px = {name: focal_of(rig[name].camera) for name in names}
+    pixels = [on_plane_px(sights[name].rays_cam, focal_px[name]) for name in names]
     points = [sights[name].points_world for name in names]
-    mounts = [_camera_pose(rig[name].ego_from_cam.inverse()) for name in names]
-    pinholes = [_pinhole(focal_px[name]) for name in names]
+    mounts = [to_poselib(rig[name].ego_from_cam.inverse()) for name in names]
+    pinholes = [pinhole(focal_px[name]) for name in names]
     loss = {"loss_type": "CAUCHY", "loss_scale": config.loss_px}
     ransac = {"max_reproj_error": config.max_error_px, "max_iterations": config.iterations, "seed": 1}
-    begin = _camera_pose(start.inverse())
+    begin = to_poselib(start.inverse())
     _, info = poselib.estimate_generalized_absolute_pose(
         pixels, points, mounts, pinholes, ransac, loss, begin
     )
@@ -91,7 +92,7 @@ def fit_rig_pose(rig: Rig, sights: Mapping[str, Sight], start: SE3, config: RigP
         pinholes,
         loss,
     )
-    world_from_ego = SE3(np.array(pose.R), np.array(pose.t)).inverse()
+    world_from_ego = from_poselib(pose).inverse()
     agrees = {
         name: focal_px[name] * _angles_rad(sights[name], world_from_ego @ rig[name].ego_from_cam)
         < config.max_error_px
@@ -105,17 +106,3 @@ def _angles_rad(sight: Sight, world_from_cam: SE3) -> Array:
     towards = world_from_cam.inverse().apply(sight.points_world)
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)
     return np.asarray(np.linalg.norm(towards - sight.rays_cam, axis=1))
-
-
-def _plane(rays_cam: Array) -> Array:
-    return np.asarray(rays_cam[:, :2] / rays_cam[:, 2:])
-
-
-def _pinhole(focal_px: float) -> dict[str, object]:
-    return {"model": "PINHOLE", "width": 2, "height": 2, "params": [focal_px, focal_px, 0.0, 0.0]}
-
-
-def _camera_pose(to_from: SE3) -> poselib.CameraPose:
-    pose = poselib.CameraPose()
-    pose.R, pose.t = to_from.rotation, to_from.translation
-    return pose
