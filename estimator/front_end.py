@@ -70,14 +70,14 @@ class FrontEnd:
         """Return the newest bundle as a keyframe."""
         assert self._bundle is not None, "advance comes first"
         current = {name: t for name, t in self.trackers.items() if t.current}
-        tracks = {name: (t.ids.copy(), t.pixels.copy()) for name, t in current.items()}
+        tracks = {name: (t.tracks.ids.copy(), t.tracks.pixels.copy()) for name, t in current.items()}
         images = dict(self._bundle.images)
         return Keyframe(self._bundle.stamp_ns, images, self.odometry.world_from_ego, tracks)
 
     def live_tracks_px(self) -> dict[str, Array]:
         """Return by camera (N, 4) previous and present pixels."""
         return {
-            name: np.hstack([t.previous_pixels, t.pixels]) if t.current else np.zeros((0, 4))
+            name: np.hstack([t.tracks.previous_pixels, t.tracks.pixels]) if t.current else np.zeros((0, 4))
             for name, t in self.trackers.items()
         }
 
@@ -87,7 +87,7 @@ class FrontEnd:
         pose = self.odometry.world_from_ego
         origin = (pose @ reference).translation
         for name, tracker in self.trackers.items():
-            tracker.move_world(new_from_old, scale, origin)
+            tracker.tracks.move_world(new_from_old, scale, origin)
             tracker.camera = rig[name].camera
         self._seen_from = {name: new_from_old @ old for name, old in self._seen_from.items()}
         self.odometry.correct(new_from_old @ pose, scale)
@@ -98,10 +98,8 @@ class FrontEnd:
         asked = {name: t for name, t in self.trackers.items() if name in self._trusted and t.current}
         if not self.metric or len(asked) < 2:
             return
-        sights = {
-            name: Sight(tracker.rays_cam[tracker.located], tracker.points_world[tracker.located])
-            for name, tracker in asked.items()
-        }
+        tables = {name: tracker.tracks for name, tracker in asked.items()}
+        sights = {name: Sight(t.rays_cam[t.located], t.points_world[t.located]) for name, t in tables.items()}
         fitted = fit_rig_pose(self.rig, sights, self.odometry.world_from_ego, self.config.rig_pose)
         if fitted is None:
             return
@@ -152,18 +150,18 @@ class FrontEnd:
             elif starting or (self.known and tracker.current):
                 self._renew_one(tracker, self.odometry.world_from_ego @ self.rig[name].ego_from_cam, starting)
         if starting:
-            self._started_with = len(self.trackers[self.rig.reference].ids)
+            self._started_with = len(self.trackers[self.rig.reference].tracks)
         return starting
 
     def _renew_one(self, tracker: Tracker, world_from_cam: SE3, starting: bool) -> None:
         if starting:
-            tracker.reanchor()
+            tracker.tracks.reanchor()
         else:
             tracker.locate(world_from_cam)
             tracker.retire(world_from_cam)
         tracker.replenish()
-        tracker.anchor(world_from_cam)
+        tracker.tracks.anchor(world_from_cam)
 
     def _must_start(self) -> bool:
-        left = len(self.trackers[self.rig.reference].ids)
+        left = len(self.trackers[self.rig.reference].tracks)
         return left <= self.config.restart_below * self._started_with

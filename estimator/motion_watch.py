@@ -38,9 +38,10 @@ class MotionWatch:
         reference = front_end.trackers[front_end.rig.reference]
         if not reference.current:
             return
-        followed = np.isin(reference.ids, self._ids)  # the others began in this very image
-        self._ids = reference.ids
-        moved = np.linalg.norm(reference.pixels - reference.previous_pixels, axis=1)[followed]
+        tracks = reference.tracks
+        followed = np.isin(tracks.ids, self._ids)  # the others began in this very image
+        self._ids = tracks.ids
+        moved = np.linalg.norm(tracks.pixels - tracks.previous_pixels, axis=1)[followed]
         self._shift_px = float(np.median(moved)) if len(moved) else 0.0
         still = len(moved) >= self._config.min_tracks and self._shift_px < self._config.still_px
         self._still_since_ns = self._since(self._still_since_ns, still)

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 
 import numpy as np
 
+from estimator import mount_findings as say
 from estimator.assignment import AssignmentConfig, swap_explains, swapped_cycles
 from estimator.config import Config
 from estimator.epipolar import FitConfig
-from estimator.finding import Finding, FindingKind
+from estimator.finding import Finding
 from estimator.keyframe import Keyframe
 from estimator.rig import Rig
+from estimator.slip import slip_rad
 from estimator.whose_images import Fit, fit_streams
 
 _NOTHING_TO_SEE = 12  # levels
@@ -45,7 +46,8 @@ class MountWatch:
         self._findings: tuple[Finding, ...] = ()
         height_m = float(rig[rig.reference].ego_from_cam.translation[2])
         if height_m <= 0:
-            self._findings = (self._of_reference(f"z = {height_m:g} m, but it must look down on the road"),)
+            reason = f"z = {height_m:g} m, but it must look down on the road"
+            self._findings = (say.wrong_reference(rig.reference, reason),)
 
     def see(self, keyframes: Sequence[Keyframe]) -> None:
         """Take note of a window; only where a mount does not explain its own images are others tried."""
@@ -90,20 +92,19 @@ class MountWatch:
         cycles, fit = self._swaps(fits)
         swapped = {index for cycle in cycles for index in cycle}
         for cycle in cycles:
-            yield self._swap(cycle, fit)
+            yield say.swap(self._names, cycle, fit)
         if self._slip_rad > self._config.max_slip_rad:
-            yield self._of_reference(f"the car seems to drive at {_deg(self._slip_rad)} to its own long axis")
+            reason = f"the car seems to drive at {np.rad2deg(self._slip_rad):.0f} deg to its own long axis"
+            yield say.wrong_reference(self._rig.reference, reason)
         elif not swapped and len(odd) > 1 and 2 * len(odd) >= len(self._names) - 1:
-            yield self._of_reference(
-                f"{len(odd)} of the {len(self._names) - 1} others contradict the way the car moves by it"
-            )
+            reason = f"{len(odd)} of the {len(self._names) - 1} others contradict the way the car moves by it"
+            yield say.wrong_reference(self._rig.reference, reason)
         for index in odd:
             if index not in swapped and fit.share[index, index] < self._config.min_share:
-                yield self._unexplained_finding(index, own)
+                yield say.unexplained(self._names, index, own)
         for name, windows in self._untracked.items():
             if windows >= self._config.untracked_windows:
-                about = f"{name}: hardly a corner in it could be followed over the last {windows} windows"
-                yield Finding(FindingKind.UNEXPLAINED_IMAGES, (name,), about)
+                yield say.untracked(name, windows)
 
     def _swaps(self, fits: Mapping[str, Fit]) -> tuple[list[tuple[int, ...]], Fit]:
         """Return the swaps, and the fit they show in: first those that concern the reference itself.
@@ -117,47 +118,6 @@ class MountWatch:
                 return [(reference, mount)], fit
         return swapped_cycles(own, self._config.assignment), own
 
-    def _swap(self, cycle: tuple[int, ...], fit: Fit) -> Finding:
-        names = [self._names[index] for index in cycle]
-        said = "; ".join(
-            f"{name} fits the mount of {other} ({fit.share[a, b]:.0%} of its tracks, its own "
-            f"{fit.share[a, a]:.0%})"
-            for name, other, a, b in zip(
-                names, names[1:] + names[:1], cycle, (*cycle[1:], cycle[0]), strict=True
-            )
-        )
-        return Finding(FindingKind.SWAPPED_CAMERAS, tuple(names), f"plugged into each other's socket: {said}")
-
-    def _of_reference(self, reason: str) -> Finding:
-        name = self._rig.reference
-        about = f"{name}, the reference, is not mounted as the rig file says, or not connected so: {reason}"
-        return Finding(FindingKind.NOMINAL_REJECTED, (name,), about)
-
-    def _unexplained_finding(self, index: int, fit: Fit) -> Finding:
-        name = self._names[index]
-        others = np.delete(fit.share[index], index)
-        about = (
-            f"{name}: its nominal pose explains {fit.share[index, index]:.0%} of "
-            f"{fit.total[index, index]:.0f} tracks, no other mount more than {others.max(initial=0.0):.0%}"
-        )
-        return Finding(FindingKind.UNEXPLAINED_IMAGES, (name,), about)
-
-
-def slip_rad(keyframes: Sequence[Keyframe]) -> float:
-    """Return the angle between the car's long axis and the way it went, forwards or back, over a window.
-
-    A rear axle rolls along the long axis; within a step of a tight turn the way is off by half the turn.
-    """
-    poses = [keyframe.world_from_ego for keyframe in keyframes]
-    steps = np.array([(a.inverse() @ b).translation for a, b in pairwise(poses)])
-    length = np.linalg.norm(steps, axis=1)
-    along = np.abs(steps[:, 0])[length > 0.1].sum() / max(length[length > 0.1].sum(), 1e-9)
-    return float(np.arccos(np.clip(along, 0.0, 1.0))) if (length > 0.1).any() else 0.0
-
 
 def _nothing(count: int) -> Fit:
     return Fit(np.zeros((count, count)), np.zeros((count, count)))
-
-
-def _deg(angle_rad: float) -> str:
-    return f"{np.rad2deg(angle_rad):.0f} deg"

@@ -10,19 +10,18 @@ import numpy as np
 import poselib
 
 from estimator.config import Config
+from estimator.first_motion import FirstMotionConfig, first_motion
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
 from estimator.rig import MountedCamera
-from estimator.road import road_scale
 from estimator.se3 import SE3, Array
 from estimator.tracker import Tracker
-from estimator.triangulate import triangulate
 
 
 class OdometryConfig(Config):
-    """When two views suffice to begin, and what counts as agreement."""
+    """When two views suffice to begin, and what counts as agreement afterwards."""
 
-    min_points: int = 30
-    start_parallax_rad: float = 0.015
+    first_motion: FirstMotionConfig = FirstMotionConfig()
+    min_points: int = 10
     max_error_px: float = 1.5
 
 
@@ -61,17 +60,17 @@ class Odometry:
 
         Where the image is missing and the tracks wait for the next one, the car is taken to go on as before.
         """
-        waiting = not tracker.current and len(tracker.ids) > 0
+        waiting = not tracker.current and len(tracker.tracks) > 0
         if not self.metric:
             return not waiting and self._start(tracker)
         self._bundles_since += 1
         if waiting:
             self.world_from_ego = self.predicted_world_from_ego
             return False
-        known = np.isfinite(tracker.points_world).all(1)
+        tracks, known = tracker.tracks, tracker.tracks.located
         pose = None
-        if known.sum() >= self.config.min_points // 3:
-            pose = self._fit(tracker.rays_cam[known], tracker.points_world[known])
+        if known.sum() >= self.config.min_points:
+            pose = self._fit(tracks.rays_cam[known], tracks.points_world[known])
         if pose is None:
             self.lost_count += 1
             self.world_from_ego = self.predicted_world_from_ego
@@ -112,54 +111,17 @@ class Odometry:
             {"loss_type": "CAUCHY", "loss_scale": 0.7},
             to_poselib(predicted),
         )
-        if info["num_inliers"] < self.config.min_points // 3:
+        if info["num_inliers"] < self.config.min_points:
             return None
         return from_poselib(pose).inverse() @ self.mounted.ego_from_cam.inverse()
 
     def _start(self, tracker: Tracker) -> bool:
         """Find the motion since the first image, and its length from the road."""
-        usable = (tracker.rays_cam[:, 2] > 0.2) & (tracker.anchor_rays_cam[:, 2] > 0.2)
-        usable &= np.isfinite(tracker.anchor_center_world).all(1)
-        if usable.sum() < self.config.min_points:
+        step = first_motion(tracker.tracks, self.mounted, self.config.first_motion)
+        if step is None:
             return False
-        first_cam, last_cam = tracker.anchor_rays_cam[usable], tracker.rays_cam[usable]
-        focal_px = focal_of(self.mounted.camera)
-        pose, info = poselib.estimate_relative_pose(
-            on_plane_px(first_cam, focal_px),
-            on_plane_px(last_cam, focal_px),
-            pinhole(focal_px),
-            pinhole(focal_px),
-            {"max_epipolar_error": 1.0, "seed": 1},
-            {"loss_type": "CAUCHY", "loss_scale": 0.5},
-        )
-        inliers = np.array(info["inliers"], bool)
-        first_from_last = from_poselib(pose).inverse()
-        turned = last_cam @ first_from_last.rotation.T
-        parallax = np.arccos(np.clip(np.einsum("ni,ni->n", first_cam, turned), -1, 1))
-        if inliers.sum() < self.config.min_points:
-            return False
-        if np.percentile(parallax[inliers], 70) < self.config.start_parallax_rad:
-            return False
-        scale = self._scale(first_cam[inliers], turned[inliers], first_from_last)
-        if scale is None:
-            return False
-        first_from_last = SE3(first_from_last.rotation, first_from_last.translation * scale)
-        ego_from_cam = self.mounted.ego_from_cam
-        step = ego_from_cam @ first_from_last @ ego_from_cam.inverse()
         self._note(self.world_from_ego @ step)
         self._last_step = SE3()
         self.metric = True
-        tracker.locate(self.world_from_ego @ ego_from_cam)
+        tracker.locate(self.world_from_ego @ self.mounted.ego_from_cam)
         return True
-
-    def _scale(self, first_cam: Array, turned: Array, first_from_last: SE3) -> float | None:
-        count = len(first_cam)
-        index = np.tile(np.arange(count), 2)
-        centers = np.vstack([np.zeros((count, 3)), np.tile(first_from_last.translation, (count, 1))])
-        points, angle = triangulate(index, np.vstack([first_cam, turned]), centers, count)
-        points = points[angle > 0.005]
-        level = points @ self.mounted.ego_from_cam.rotation.T
-        # No metre yet: what is steeply below in the direction of travel is taken for the car's path.
-        heading = self.mounted.ego_from_cam.rotation @ first_from_last.translation
-        beside = np.abs(level @ np.array([-heading[1], heading[0], 0.0])) / np.hypot(*heading[:2])
-        return road_scale(level, beside < -level[:, 2], float(self.mounted.ego_from_cam.translation[2]))

@@ -50,7 +50,7 @@ class Watch:
 
     def see_bundle(self, bundle: FrameBundle, front_end: FrontEnd) -> None:
         """Take note of a bundle that the front end has followed."""
-        self._images.see(bundle, {name: len(t.ids) for name, t in front_end.trackers.items()})
+        self._images.see(bundle, {name: len(t.tracks) for name, t in front_end.trackers.items()})
         self._motion.see(bundle.stamp_ns, front_end)
 
     def see_window(self, keyframes: Sequence[Keyframe], before: Belief, result: WindowResult | None) -> None:

@@ -24,17 +24,19 @@ class Drive:
         pixels = np.random.default_rng(0).uniform(5, np.array(mounted.camera.size_px) - 5, (count, 2))
         points = cast(PATH[0] @ mounted.ego_from_cam, mounted.camera.unproject(pixels))[0]
         self.points_world = points[np.isfinite(points[:, 0])]
-        self.tracker._allocate(len(self.points_world))
+        count = len(self.points_world)
+        self.tracker.tracks.start(np.zeros((count, 2)), np.zeros((count, 3)))
         self.see(PATH[0])
-        self.tracker.reanchor()
-        self.tracker.anchor(PATH[0] @ mounted.ego_from_cam)
+        self.tracker.tracks.reanchor()
+        self.tracker.tracks.anchor(PATH[0] @ mounted.ego_from_cam)
 
     def see(self, world_from_ego: SE3) -> None:
         points_cam = (world_from_ego @ self.mounted.ego_from_cam).inverse().apply(self.points_world)
         pixels = self.mounted.camera.project(points_cam)
         seen = self.mounted.camera.contains(pixels)
-        self.tracker.pixels, self.tracker.rays_cam = pixels, self.mounted.camera.unproject(pixels)
-        self.tracker.keep(seen)
+        self.tracker.tracks.pixels = pixels
+        self.tracker.tracks.rays_cam = self.mounted.camera.unproject(pixels)
+        self.tracker.tracks.keep(seen)
         self.points_world = self.points_world[seen]
 
     def advance(self, world_from_ego: SE3) -> bool:

@@ -11,9 +11,10 @@ from estimator.assignment import AssignmentConfig, swapped_cycles
 from estimator.epipolar import FitConfig, pairs_of
 from estimator.finding import FindingKind
 from estimator.keyframe import Keyframe
-from estimator.mount_watch import MountWatch, MountWatchConfig, slip_rad
+from estimator.mount_watch import MountWatch, MountWatchConfig
 from estimator.rig import Rig
 from estimator.se3 import SE3
+from estimator.slip import slip_rad
 from estimator.whose_images import Fit, fit_streams
 from tests.known_scene import known_scene, sightings
 from tests.mounts import FISHEYE, PINHOLE, arc, left_side_rig, mounted, shaken
