@@ -61,6 +61,8 @@ class BatchEstimator:
         if self._online.started:
             self._adjust_segment()
             self._segment = []
+        if self._online.moved:
+            self._forget(self._online.moved)
         if self._online.newest_keyframe is not None:
             self._segment.append(self._online.newest_keyframe)
         if len(self._segment) > self.config.segment_keyframes:
@@ -75,6 +77,13 @@ class BatchEstimator:
         if not self._has_learnt:
             return answer
         return self._online.final_answer(self._belief, self._scale_information)
+
+    def _forget(self, moved: frozenset[str]) -> None:
+        """Begin anew for cameras that moved: a segment knows one place for each."""
+        nominal = Belief.nominal(self._belief.rig)
+        for name in moved:
+            self._belief = self._belief.forgetting((name,), nominal.camera_covariance(name))
+        self._segment = self._segment[-1:]
 
     def _adjust_segment(self) -> None:
         """Adjust a segment as one window that starts from what the online estimator knows."""

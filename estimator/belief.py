@@ -6,7 +6,7 @@ does not grow with the drive.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -46,8 +46,12 @@ class Belief:
         """Return the (6, 6) covariance of one camera; zero for the reference."""
         if name == self.rig.reference:
             return np.zeros((6, 6))
-        block = self.rig.estimated_names.index(name)
-        return self.covariance[6 * block : 6 * block + 6, 6 * block : 6 * block + 6]
+        block = self._block(name)
+        return self.covariance[block, block]
+
+    def _block(self, name: str) -> slice:
+        first = 6 * self.rig.estimated_names.index(name)
+        return slice(first, first + 6)
 
     def rotation_sigma_rad(self, name: str) -> float:
         """Return the root of the summed rotation variances of one camera."""
@@ -71,6 +75,28 @@ class Belief:
         direction = self._along_scale()
         wider = self.covariance + scale_sigma**2 * np.outer(direction, direction)
         return replace(self, covariance=wider)
+
+    def forgetting(self, names: Collection[str], camera_covariance: Array) -> Belief:
+        """Return the belief with next to nothing known of some cameras but where they were.
+
+        Args:
+            names: Those cameras.
+            camera_covariance: (6, 6) of each of them from now on, independent of all others.
+        """
+        covariance = self.covariance.copy()
+        for name in names:
+            block = self._block(name)
+            covariance[block], covariance[:, block] = 0.0, 0.0
+            covariance[block, block] = camera_covariance
+        return replace(self, covariance=covariance)
+
+    def with_cameras_of(self, other: Belief, names: Collection[str]) -> Belief:
+        """Return the belief with some cameras as another one knows them, independent of all others."""
+        poses = {name: other.rig[name].ego_from_cam for name in names}
+        result = replace(self, rig=self.rig.with_extrinsics(poses))
+        for name in names:
+            result = result.forgetting((name,), other.camera_covariance(name))
+        return result
 
     def scale_sigma(self) -> float:
         """Return how far, relatively, the rig may grow or shrink as a whole before the belief objects."""

@@ -103,6 +103,31 @@ class Evidence:
             window_count=self.window_count + 1,
         )
 
+    def forgetting_pose(self, name: str) -> Evidence:
+        """Return the evidence without what it says of one camera's extrinsics.
+
+        What that camera showed of its lens, its clock and the others is kept as far as it does not hang on
+        where the camera was.
+        """
+        unknowns = Unknowns(self.nominal)
+        gone = np.zeros(unknowns.size, bool)
+        gone[unknowns.extrinsics(unknowns.names.index(name))] = True
+        left = ~gone
+        by = self.hessian[np.ix_(left, gone)] @ np.linalg.pinv(
+            self.hessian[np.ix_(gone, gone)], hermitian=True
+        )
+        into = np.zeros((unknowns.size, unknowns.size))
+        into[np.ix_(left, left)] = np.eye(left.sum())
+        into[np.ix_(left, gone)] = -by
+        return replace(
+            self,
+            hessian=into @ self.hessian @ into.T,
+            vector=into @ self.vector,
+            scatter=into @ self.scatter @ into.T,
+            depth=self.depth
+            - float(self.vector[gone] @ np.linalg.pinv(self.hessian[np.ix_(gone, gone)]) @ self.vector[gone]),
+        )
+
     def posterior(self, usual: UsualErrors, free: Free | None = None) -> Posterior:
         """Weigh the evidence against the rig file's prior and what is usual for lenses and clocks.
 

@@ -18,6 +18,8 @@ class FindingKind(StrEnum):
     NOMINAL_REJECTED = "nominal_rejected"
     NO_MOTION = "no_motion"
     UNEXPLAINED_IMAGES = "unexplained_images"
+    CONTRADICTED = "contradicted"
+    MOVED_CAMERA = "moved_camera"
 
 
 @dataclass(frozen=True)

@@ -57,6 +57,10 @@ class Ledger:
             self._inliers[name] += count
             self._links[name] += result.link_count[name]
 
+    def forget(self, name: str) -> None:
+        """Count nothing for a camera that was seen before it moved."""
+        self._inliers[name] = self._links[name] = 0
+
     def scale(self) -> ScaleEvidence | None:
         """Return what is known of metric scale."""
         return scale_evidence(self.scale_information, self.config.shared_scale_sigma)
@@ -78,6 +82,7 @@ class Ledger:
         """
         stated = belief if self.is_empty else belief.with_scale_sigma(self.config.shared_scale_sigma)
         in_doubt = doubted(findings, self._nominal)
+        moved = {name for f in findings if f.kind is FindingKind.MOVED_CAMERA for name in f.cameras}
         has_wrong_lens = any(f.doubtful and f.kind is FindingKind.WRONG_INTRINSICS for f in findings)
         estimates = {}
         for name in belief.rig.cameras:
@@ -92,6 +97,8 @@ class Ledger:
                 status = Status.SUSPECT
             elif has_wrong_lens and status is Status.CONVERGED and not is_reference:
                 status = Status.WEAK  # its neighbours share landmarks with it, and are pulled along
+            elif name in moved and status is Status.WEAK:
+                status = Status.MOVED
             estimates[name] = CameraEstimate(
                 pose, stated.camera_covariance(name), status, self._inliers[name], observed, weak_axes,
                 lenses.get(name),

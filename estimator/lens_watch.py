@@ -79,6 +79,10 @@ class LensWatch:
         if self._refines_lenses:
             self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
 
+    def forget(self, name: str) -> None:
+        """Drop what the windows said of a camera's place on the car, because it has moved."""
+        self._evidence = self._evidence.forgetting_pose(name)
+
     @property
     def _loss(self) -> Loss:
         """The loss that the window was adjusted with at last."""

@@ -12,6 +12,7 @@ from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
 from estimator.ledger import Ledger, LedgerConfig
 from estimator.lens_watch import LensConfig, LensWatch, Refine
+from estimator.move_watch import MoveWatch, MoveWatchConfig
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation
@@ -32,6 +33,7 @@ class OnlineConfig(Config):
     pace: PaceConfig = PaceConfig()
     ledger: LedgerConfig = LedgerConfig()
     watch: WatchConfig = WatchConfig()
+    moves: MoveWatchConfig = MoveWatchConfig()
     lens: LensConfig = LensConfig()
     refine: Refine = "none"
 
@@ -45,6 +47,7 @@ class OnlineEstimator:
         belief: The extrinsics as known so far.
         path: Where the car was, in a world of the estimator's own.
         newest_keyframe: The newest bundle, if it was kept as a keyframe.
+        moved: The cameras that were just found to have moved on the car.
         started: Whether motion counts from the newest bundle: nothing is known of how the car came there.
     """
 
@@ -59,14 +62,16 @@ class OnlineEstimator:
         self.path = Path()
         self.newest_keyframe: Keyframe | None = None
         self.started = False
+        self.moved: frozenset[str] = frozenset()
         self._ledger = Ledger(rig, self.config.ledger)
         self._stamp_ns = 0
         self._watch = Watch(rig, self.config.watch)
+        self._moves = MoveWatch(self.config.moves, self.config.window, self.config.ledger.shared_scale_sigma)
 
     def update(self, bundle: FrameBundle) -> Estimate:
         """Follow the bundle; when a window is full, calibrate from it."""
         stopwatch = Stopwatch()
-        self.newest_keyframe, self.started = None, False
+        self.newest_keyframe, self.started, self.moved = None, False, frozenset()
         usable = self._watch.admit(bundle)
         if usable is None:
             return self._estimate(stopwatch, ())
@@ -121,13 +126,28 @@ class OnlineEstimator:
             self._watch.see_window(keyframes, self.belief, result)
         if result is None:
             return ()
+        with stopwatch.stage("moves"):
+            result = self._without_moves(result)
         with stopwatch.stage("lens"):
-            self._lens_watch.learn(result.scene, result.seen)
+            if not self._moves.in_doubt:
+                self._lens_watch.learn(result.scene, result.seen)
         with stopwatch.stage("fuse"):
             self.belief = self._lens_watch.corrected or result.belief
             self._correct_motion(keyframes, result)
             self._ledger.add(result)
         return result.matches
+
+    def _without_moves(self, result: WindowResult) -> WindowResult:
+        """Return the result without what cameras spoil that no longer sit where they did."""
+        try:
+            examined = self._moves.examine(self.belief, result)
+        except (RuntimeError, np.linalg.LinAlgError):  # by itself the window cannot be solved: no opinion
+            return result
+        for name in examined.moved:
+            self._lens_watch.forget(name)
+            self._ledger.forget(name)
+        self.moved |= examined.moved
+        return examined.result
 
     def _correct_motion(self, keyframes: list[Keyframe], result: WindowResult) -> None:
         """Move path, tracks and odometry to where the window found the car to be."""
@@ -144,7 +164,7 @@ class OnlineEstimator:
         old_m = float(np.linalg.norm((keyframes[0].world_from_ego.inverse() @ old_last).translation))
         new_m = float(np.linalg.norm((first.inverse() @ last).translation))
         self.path.correct([k.stamp_ns for k in keyframes], corrected)
-        trusted = self.belief.known_within(self.config.window.unsure_rad)
+        trusted = self.belief.known_within(self.config.window.unsure_rad) - self._moves.in_doubt
         self._front_end.correct(self.belief.rig, trusted, new_from_old, new_m / max(old_m, 1e-6))
         self._keyframes = [
             Keyframe(keyframes[-1].stamp_ns, keyframes[-1].images, corrected[-1], keyframes[-1].tracks)
@@ -153,7 +173,7 @@ class OnlineEstimator:
     def _estimate(
         self, stopwatch: Stopwatch, matches: tuple[Match, ...], *, closing: bool = False
     ) -> Estimate:
-        findings = (*self._watch.findings(), *self._lens_watch.findings)
+        findings = (*self._watch.findings(), *self._moves.findings(), *self._lens_watch.findings)
         missed = {name: tracker.missed_count for name, tracker in self._front_end.trackers.items()}
         cameras = self._ledger.cameras(self.belief, missed, findings, self._lens_watch.lenses)
         poses = self.path.poses()

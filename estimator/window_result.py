@@ -41,6 +41,7 @@ class WindowResult:
         matches: Landmarks that two cameras share, for people to look at.
         scene: The adjusted values, in the window's own world: road near z = 0.
         seen: The sightings they were adjusted to.
+        track_sightings: How many sightings the tracks had, explained or not.
         scale_information: What each source of it said of scale.
     """
 
@@ -51,6 +52,7 @@ class WindowResult:
     matches: tuple[Match, ...]
     scene: Scene
     seen: Observations
+    track_sightings: int
     scale_information: ScaleInformation = field(default_factory=dict)
 
     def path_from(self, world_from_first: SE3) -> list[SE3]:
@@ -100,6 +102,7 @@ def conclude(
         cross_camera_matches(inliers, names, stamps_ns),
         scene,
         seen,
+        track_sightings,
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from estimator.belief import Belief
-from tests.mounts import left_side_rig
+from tests.mounts import left_side_rig, shaken
 
 RIG = left_side_rig()
 NOMINAL = Belief.nominal(RIG)
@@ -61,3 +61,23 @@ def test_cameras_are_known_by_their_rotation_and_the_reference_always() -> None:
     sigmas = np.repeat([0.001, 1.0, 0.01, 1.0], 3)
     assert Belief(RIG, np.diag(sigmas**2)).known_within(0.005) == {"front", "left_front"}
     assert Belief(RIG, np.diag(sigmas**2)).known_within(0.02) == {"front", "left_front", "left_rear"}
+
+
+def test_a_forgotten_camera_keeps_its_place_and_nothing_else() -> None:
+    belief = Belief(RIG, 1e-4 * np.ones((12, 12)) + 1e-3 * np.eye(12))
+    wide = np.diag(np.arange(1.0, 7.0))
+    forgetful = belief.forgetting(["left_rear"], wide)
+    np.testing.assert_array_equal(forgetful.camera_covariance("left_rear"), wide)
+    np.testing.assert_array_equal(
+        forgetful.camera_covariance("left_front"), belief.camera_covariance("left_front")
+    )
+    assert not forgetful.covariance[:6, 6:].any() and not forgetful.covariance[6:, :6].any()
+    assert forgetful.rig is belief.rig
+
+
+def test_a_camera_can_be_taken_over_from_another_belief() -> None:
+    other = Belief(shaken(RIG, 1.0, 20.0), 7e-4 * np.eye(12))
+    mixed = NOMINAL.with_cameras_of(other, ["left_front"])
+    assert mixed.rig["left_front"].ego_from_cam is other.rig["left_front"].ego_from_cam
+    assert mixed.rig["left_rear"].ego_from_cam is RIG["left_rear"].ego_from_cam
+    np.testing.assert_array_equal(mixed.camera_covariance("left_front"), 7e-4 * np.eye(6))

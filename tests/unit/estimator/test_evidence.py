@@ -70,3 +70,19 @@ def test_what_is_not_in_doubt_stays_as_the_rig_file_says() -> None:
 def test_without_evidence_the_usual_errors_remain() -> None:
     sigma = np.sqrt(np.diag(NOTHING.posterior(UsualErrors(focal_share=0.02)).covariance))
     np.testing.assert_allclose(sigma[UNKNOWNS.lens(1)], [0.02, 3.0, 3.0])
+
+
+def test_a_forgotten_pose_takes_along_what_hangs_on_it_and_nothing_else() -> None:
+    root = np.random.default_rng(3).standard_normal((SIZE, SIZE))
+    minimum = np.linspace(-1e-3, 1e-3, SIZE)
+    hessian = root @ root.T + np.eye(SIZE)
+    whole = NOTHING.with_window(WindowInformation(hessian, -hessian @ minimum, root), SCENE)
+    left = whole.forgetting_pose("left_rear")
+    gone = UNKNOWNS.extrinsics(2)
+    kept = np.delete(np.arange(SIZE), np.r_[gone])
+    assert not left.hessian[gone].any() and not left.vector[gone].any() and not left.scatter[gone].any()
+    block = np.linalg.inv(np.linalg.inv(hessian)[np.ix_(kept, kept)])  # the marginal information
+    np.testing.assert_allclose(left.hessian[np.ix_(kept, kept)], block, atol=1e-8)
+    np.testing.assert_allclose(np.linalg.solve(block, left.vector[kept]), minimum[kept], atol=1e-9)
+    value = left.depth - 2 * left.vector @ minimum + minimum @ left.hessian @ minimum
+    assert abs(value) < 1e-6  # what was lowest is lowest still

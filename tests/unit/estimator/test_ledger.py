@@ -78,3 +78,14 @@ def test_sightings_add_up_over_windows() -> None:
     twice.add(window())
     counts = [each.cameras(SURE, NOBODY_MISSED, (), {})["left_front"].inlier_count for each in (once, twice)]
     assert counts[1] == 2 * counts[0] > 0
+
+
+def test_a_camera_that_moved_is_told_so_until_it_is_known_again() -> None:
+    moved = Finding(FindingKind.MOVED_CAMERA, ("left_rear",), "it moved", doubtful=False)
+    ledger = filled()
+    assert statuses(ledger, moved)["left_rear"] is Status.CONVERGED
+    ledger.forget("left_rear")
+    assert statuses(ledger, moved)["left_rear"] is Status.MOVED
+    assert statuses(ledger, moved)["left_front"] is Status.CONVERGED
+    ledger.add(window())
+    assert statuses(ledger, moved)["left_rear"] is Status.CONVERGED

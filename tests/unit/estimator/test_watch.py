@@ -113,7 +113,7 @@ def test_a_camera_in_the_road_gives_no_scale() -> None:
 
 
 def test_numbers_that_are_none_and_covariances_that_are_none_are_unsound() -> None:
-    good = WindowResult(moved(0.0, 0.0), {}, {}, 0.1, (), SCENE, sightings(SCENE))
+    good = WindowResult(moved(0.0, 0.0), {}, {}, 0.1, (), SCENE, sightings(SCENE), 0)
     assert is_sound(good)
     assert not is_sound(replace(good, scene=replace(SCENE, world_from_egos=(SE3(np.full((3, 3), np.nan)),))))
     for covariance in (np.full((18, 18), np.nan), -np.eye(18)):
