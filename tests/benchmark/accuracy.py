@@ -1,7 +1,7 @@
-"""The table of how accurate and how honest an estimator is, from the run folders of a sweep.
+"""The table of how accurate and how honest the estimators are, from the run folders of sweeps.
 
-``rigtrue sweep accuracy`` makes the runs; ``python -m tests.benchmark.accuracy [FOLDER] [--estimator NAME]``
-prints, for each claim, what is wanted and what was measured, and then every scenario by itself.
+``rigtrue sweep accuracy`` and ``rigtrue sweep batch`` make the runs; ``python -m tests.benchmark.accuracy
+[FOLDER...]`` prints, for each claim, what is wanted and what was measured, and then every scenario by itself.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from eval.sweep import SWEEPS
 
@@ -23,6 +24,9 @@ EFFECTS = (
     *("sensor_noise", "defocus", "jpeg_artefacts"),
 )
 
+
+_SHORT_M = 0.5  # by which a drive may miss its length: it ends with a whole bundle
+_SAME_NS = 1e6
 
 # The length that 95 % of vectors with three like parts stay below, over the root of the summed variances.
 _NORM95_PER_SIGMA = 2.7955 / np.sqrt(3)
@@ -40,6 +44,7 @@ class Claim:
         limit_deg: Of the rotation error.
         limit_mm: Of the translation error.
         or_weak: Whether a camera that states a sigma above the limit, and is inside its 95 % region, answers.
+        estimator: Whose runs count.
     """
 
     about: str
@@ -49,12 +54,14 @@ class Claim:
     limit_deg: float
     limit_mm: float
     or_weak: bool = False
+    estimator: str = "online"
 
 
 CLAIMS = (
     Claim("plain urban drives with a turn, 50 m, median", PLAIN, ".at_50m", False, 0.03, 10),
     Claim("the same, worst seed", PLAIN, ".at_50m", True, 0.05, 20),
     Claim("the same after 10 m, median", PLAIN, ".at_10m", False, 0.10, 40),
+    Claim("`batch` on the same drives, worst seed", PLAIN, "", True, 0.02, 8, estimator="batch"),
     Claim("start 10 deg, 300 mm, 50 m, median", ("large_errors",), ".at_50m", False, 0.03, 10),
     Claim("start 10 deg, 300 mm, 50 m, worst seed", ("large_errors",), ".at_50m", True, 0.05, 20),
     *(Claim(f"{name}, 50 m, median", (name,), ".at_50m", False, 0.10, 30) for name in EFFECTS),
@@ -74,6 +81,8 @@ class Run:
     seed: int
     metrics: dict[str, Any]
     cameras: list[dict[str, Any]]
+    estimator: str = "online"
+    converged_at_50m: float | None = None  # the share of cameras; None on a drive that is shorter
 
     def error(self, quantity: str, after: str) -> float:
         """Return an error of the worst camera; infinite where there is none."""
@@ -99,21 +108,33 @@ def _beyond(pose_error: dict[str, float], claim: Claim) -> bool:
     return pose_error["rotation_deg"] > claim.limit_deg or pose_error["translation_mm"] > claim.limit_mm
 
 
-def read_runs(folder: Path, estimator: str) -> list[Run]:
-    """Return the finished runs of one estimator in a sweep folder."""
+def read_runs(folder: Path) -> list[Run]:
+    """Return the finished runs in a sweep folder."""
     runs = []
     for path in sorted(folder.glob("*/scores.json")):
         scores = json.loads(path.read_text())
-        if scores["estimator"] == estimator:
-            data = json.loads((path.parent / "report_data.json").read_text())
-            cameras = [camera for camera in data["cameras"].values() if not camera["is_reference"]]
-            runs.append(Run(scores["scenario"], scores["seed"], scores["metrics"], cameras))
+        data = json.loads((path.parent / "report_data.json").read_text())
+        cameras = [camera for camera in data["cameras"].values() if not camera["is_reference"]]
+        who = scores["scenario"], scores["seed"], scores["metrics"], cameras, scores["estimator"]
+        runs.append(Run(*who, _converged_share(path.parent, data["reference"], 50.0)))
     return runs
+
+
+def _converged_share(folder: Path, reference: str, after_m: float) -> float | None:
+    """Return the share of cameras that were `converged` when the car had come that far."""
+    truth = np.loadtxt(folder / "truth.tum", ndmin=2)
+    driven_m = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(truth[:, 1:4], axis=0), axis=1))]
+    if driven_m[-1] < after_m - _SHORT_M:
+        return None
+    there_ns = 1e9 * truth[min(np.searchsorted(driven_m, after_m), len(truth) - 1), 0]
+    told = pd.read_csv(folder / "extrinsics.csv")
+    told = told[(told.camera != reference) & (told.stamp_ns <= there_ns + _SAME_NS)]
+    return float((told.groupby("camera").status.last() == "converged").mean())
 
 
 def claim_row(claim: Claim, runs: Iterable[Run]) -> str:
     """Return a line of the table: what is wanted, what was measured, whether it holds."""
-    mine = [run for run in runs if run.scenario in claim.scenarios]
+    mine = [run for run in runs if run.scenario in claim.scenarios and run.estimator == claim.estimator]
     if not mine:
         return f"| {claim.about} | {claim.limit_deg:g} deg, {claim.limit_mm:g} mm | no run | |"
     parts, holds = [], True
@@ -141,18 +162,31 @@ def honesty_rows(runs: list[Run]) -> list[str]:
     cameras = [camera for run in runs for camera in run.cameras if camera["error"] and camera["stated95"]]
     inside = 100 * np.mean([bool(camera["inside95"]) for camera in cameras])
     nees = [run.value("consistency.nees", np.nan) for run in runs]
-    settled = [camera["status"] == "converged" for run in plain for camera in run.cameras]
+    settled = [run.converged_at_50m for run in plain if run.converged_at_50m is not None]
     converged = 100 * np.mean(settled) if settled else np.nan
+    worse = sum(_is_worse_and_says_nothing(camera) for camera in cameras)
+    sure = [camera["error"] for camera in cameras if camera["status"] == "converged"]
+    worst = [
+        max((error[key] for error in sure), default=np.nan) for key in ("rotation_deg", "translation_mm")
+    ]
     sharp = {quantity: _sharpness(quantity, cameras) for quantity in ("rotation_deg", "translation_mm")}
     rows = {
         "metric scale on flat road, worst plain run": ("0.3 %", f"{scale_percent:.2f} %"),
         f"coverage of the stated 95 % regions, {len(cameras)} cameras": ("90 to 98 %", f"{inside:.1f} %"),
         "median stated sigma over RMS error, rotation": ("at most 2", f"{sharp['rotation_deg']:.2f}"),
         "the same, translation": ("at most 2", f"{sharp['translation_mm']:.2f}"),
-        "cameras converged at the end of plain drives": ("95 %", f"{converged:.0f} %"),
+        "cameras converged after 50 m of plain drives": ("95 %", f"{converged:.0f} %"),
+        "cameras worse than they started, `converged` all the same": ("0", f"{worse}"),
+        "worst of all that are `converged`": ("", f"{worst[0]:.3f} deg, {worst[1]:.1f} mm"),
         "mean NEES / 6": ("0.5 to 1.5", f"{np.nanmean(nees):.2f} (median run {np.nanmedian(nees):.2f})"),
     }
     return [f"| {about} | {wanted} | {measured} |" for about, (wanted, measured) in rows.items()]
+
+
+def _is_worse_and_says_nothing(camera: dict[str, Any]) -> bool:
+    return camera["status"] == "converged" and any(
+        camera["error"][key] > camera["start_error"][key] for key in ("rotation_deg", "translation_mm")
+    )
 
 
 def _sharpness(quantity: str, cameras: list[dict[str, Any]]) -> float:
@@ -182,15 +216,19 @@ def scenario_rows(runs: list[Run]) -> list[str]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", nargs="?", type=Path, default=SWEEPS / "accuracy")
-    parser.add_argument("--estimator", default="online")
+    parser.add_argument("folders", nargs="*", type=Path, default=[SWEEPS / "accuracy", SWEEPS / "batch"])
     chosen = parser.parse_args()
-    runs = read_runs(chosen.folder, chosen.estimator)
+    runs = [run for folder in chosen.folders for run in read_runs(folder)]
     if not runs:
-        raise SystemExit(f"{chosen.folder}: no run of {chosen.estimator!r}; `rigtrue sweep` makes them")
+        raise SystemExit(f"{' '.join(map(str, chosen.folders))}: no run; `rigtrue sweep accuracy` makes them")
     print("| on | at most | measured | holds |\n|---|---|---|---|")
     print("\n".join(claim_row(claim, runs) for claim in CLAIMS))
-    print("\n| honesty | wanted | measured |\n|---|---|---|")
+    for estimator in sorted({run.estimator for run in runs}):
+        _print_tables_of(estimator, [run for run in runs if run.estimator == estimator])
+
+
+def _print_tables_of(estimator: str, runs: list[Run]) -> None:
+    print(f"\n| honesty of `{estimator}` | wanted | measured |\n|---|---|---|")
     print("\n".join(honesty_rows(runs)))
     print("\n| scenario | rotation deg | translation mm | inside | NEES | converged |")
     print("|---|---|---|---|---|---|")
