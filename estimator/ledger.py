@@ -12,7 +12,7 @@ from estimator.finding import Finding, FindingKind
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
 from estimator.rig import Rig
 from estimator.scale import ScaleEvidence, ScaleInformation, after_window, scale_evidence
-from estimator.status import StatusConfig, judge
+from estimator.status import StatusConfig, is_lost, judge
 from estimator.watch import doubted
 from estimator.window_result import WindowResult
 
@@ -99,10 +99,14 @@ class Ledger:
         return estimates
 
     def _status(self, name: str, stated: Belief, missed: int, observed: Axes) -> Status:
-        """Return the status that the windows' evidence gives, whatever else was noticed."""
-        if name == stated.rig.reference:
-            return Status.CONVERGED
+        """Return the status that the windows' evidence gives, whatever else was noticed.
+
+        The reference's pose is known; what may be wanting is evidence that the camera still sees from there.
+        """
+        limits = self.config.status
         if self._newest is None:
             return Status.INITIALISING
         links, newest = self._links[name], self._newest[name]
-        return judge(name, stated, self._nominal, links, newest, missed, self.config.status, observed)
+        if name == stated.rig.reference:
+            return Status.LOST if is_lost(newest, missed, limits) else Status.CONVERGED
+        return judge(name, stated, self._nominal, links, newest, missed, limits, observed)

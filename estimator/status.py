@@ -22,6 +22,11 @@ class StatusConfig(Config):
     min_sightings: int = 20
 
 
+def is_lost(newest_sightings: int, missed_bundles: int, config: StatusConfig) -> bool:
+    """Tell whether a camera gives no evidence any more: no images, or none in which anything is recognised."""
+    return missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings
+
+
 def judge(
     name: str,
     belief: Belief,
@@ -49,7 +54,7 @@ def judge(
         config: Thresholds.
         observed: Which axes the drive has made observable.
     """
-    if missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings:
+    if is_lost(newest_sightings, missed_bundles, config):
         return Status.LOST
     from_nominal = nominal[name].ego_from_cam.local(belief.rig[name].ego_from_cam)
     sure = (

@@ -43,7 +43,7 @@ def filled() -> Ledger:
 def test_before_the_first_window_nothing_is_known_and_nothing_is_added_to_the_prior() -> None:
     ledger = Ledger(RIG, LedgerConfig())
     assert ledger.is_empty and ledger.scale() is None
-    assert statuses(ledger)["left_rear"] is Status.INITIALISING
+    assert statuses(ledger) == dict.fromkeys(RIG.cameras, Status.INITIALISING)
     cameras = ledger.cameras(SURE, NOBODY_MISSED, (), {})
     np.testing.assert_array_equal(cameras["left_rear"].covariance, SURE.camera_covariance("left_rear"))
 
@@ -71,6 +71,13 @@ def test_a_wrong_lens_makes_its_neighbours_weak_until_it_is_corrected() -> None:
 def test_a_camera_that_went_silent_is_lost_whatever_was_noticed() -> None:
     missed = NOBODY_MISSED | {"left_rear": 50}
     assert statuses(filled(), SWAPPED, missed=missed)["left_rear"] is Status.LOST
+
+
+def test_a_reference_that_went_silent_is_lost_like_any_other() -> None:
+    missed = NOBODY_MISSED | {"front": 50}
+    assert statuses(filled(), missed=missed) == dict.fromkeys(RIG.cameras, Status.CONVERGED) | {
+        "front": Status.LOST
+    }
 
 
 def test_sightings_add_up_over_windows() -> None:
