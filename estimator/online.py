@@ -156,12 +156,11 @@ class OnlineEstimator:
         findings = (*self._watch.findings(), *self._lens_watch.findings)
         missed = {name: tracker.missed_count for name, tracker in self._front_end.trackers.items()}
         cameras = self._ledger.cameras(self.belief, missed, findings, self._lens_watch.lenses)
-        poses = self.path.poses()
         return Estimate(
             self._stamp_ns,
             cameras,
-            poses[-1][1] if self._front_end.metric else None,
-            poses if closing else (),
+            self.path.newest if self._front_end.metric else None,
+            self.path.poses() if closing else (),
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,
