@@ -13,6 +13,7 @@ import numpy as np
 from estimator.config import Config
 from estimator.keyframe import Keyframe
 from estimator.observations import Index, Mask
+from estimator.ranges import AngleRad, LengthM
 from estimator.rig import MountedCamera
 from estimator.se3 import SE3, Array
 
@@ -20,10 +21,10 @@ from estimator.se3 import SE3, Array
 class FitConfig(Config):
     """When a track counts as explained, and which tracks can tell."""
 
-    tolerance_rad: float = 0.01
-    loss_rad: tuple[float, ...] = (0.03, 0.015, 0.008)
-    min_parallax_rad: float = 0.03
-    min_depth_m: float = 0.2
+    tolerance_rad: AngleRad = 0.01
+    loss_rad: tuple[AngleRad, ...] = (0.03, 0.015, 0.008)
+    min_parallax_rad: AngleRad = 0.03
+    min_depth_m: LengthM = 0.2
 
 
 @dataclass(frozen=True, eq=False)

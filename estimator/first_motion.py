@@ -7,6 +7,7 @@ import poselib
 
 from estimator.config import Config
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole
+from estimator.ranges import AngleRad, PointCount, SigmaPx
 from estimator.rig import MountedCamera
 from estimator.road import road_scale
 from estimator.se3 import SE3, Array
@@ -17,9 +18,9 @@ from estimator.triangulate import triangulate
 class FirstMotionConfig(Config):
     """When two views suffice to begin."""
 
-    min_points: int = 30
-    parallax_rad: float = 0.015
-    max_error_px: float = 1.0
+    min_points: PointCount = 30
+    parallax_rad: AngleRad = 0.015
+    max_error_px: SigmaPx = 1.0
 
 
 def first_motion(tracks: TrackTable, mounted: MountedCamera, config: FirstMotionConfig) -> SE3 | None:

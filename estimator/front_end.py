@@ -8,6 +8,7 @@ from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.keyframe import Keyframe
 from estimator.odometry import Odometry, OdometryConfig
+from estimator.ranges import Count, LengthOrNoneM, Share
 from estimator.repeats import Repeats
 from estimator.rig import Rig
 from estimator.rig_pose import RigPoseConfig, Sight, fit_rig_pose
@@ -22,9 +23,9 @@ class FrontEndConfig(Config):
     tracker: TrackerConfig = TrackerConfig()
     odometry: OdometryConfig = OdometryConfig()
     rig_pose: RigPoseConfig = RigPoseConfig()
-    lost_after: int = 3
-    restart_below: float = 0.5
-    least_step_m: float = 0.02
+    lost_after: Count = 3
+    restart_below: Share = 0.5
+    least_step_m: LengthOrNoneM = 0.02
 
 
 class FrontEnd:

@@ -18,6 +18,7 @@ from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index, Observations
 from estimator.patches import sample_patches
+from estimator.ranges import HalfPatchPx, LengthM, Share, SigmaPx, SizeOrNonePx, StepCount
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -25,13 +26,13 @@ from estimator.se3 import Array
 class HandoverConfig(Config):
     """How many sightings are sought, and how sure a match must be."""
 
-    views_per_camera: int = 4
-    border_px: float = 8.0
-    max_distance_m: float = 40.0
-    half_px: int = 7
-    min_peak: float = 0.75
-    max_rival: float = 0.9
-    sigma_px: float = 0.25
+    views_per_camera: StepCount = 4
+    border_px: SizeOrNonePx = 8.0
+    max_distance_m: LengthM = 40.0
+    half_px: HalfPatchPx = 7
+    min_peak: Share = 0.75
+    max_rival: Share = 0.9
+    sigma_px: SigmaPx = 0.25
     view: ViewLimits = ViewLimits(min_stretch=0.33, max_norm=5.0)
     align: AlignConfig = AlignConfig(half_px=7, min_likeness=0.82)
 

@@ -5,21 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
+from pydantic import Field
 
 from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
+from estimator.ranges import Count, PositiveCount, StepCount
 from estimator.rig import Rig
 
 
 class ImageWatchConfig(Config):
     """How many bundles in a row make a finding and end it, and what counts as nothing to be seen."""
 
-    begins_after: int = 10
-    ends_after: int = 3
-    min_contrast: float = 10.0  # levels between the 2nd and the 98th percentile
-    min_corners: int = 20
-    stride_px: int = 7
+    begins_after: PositiveCount = 10
+    ends_after: PositiveCount = 3
+    min_contrast: float = Field(10.0, ge=0, le=255)  # levels between the 2nd and the 98th percentile
+    min_corners: Count = 20
+    stride_px: StepCount = 7
 
 
 class ImageWatch:

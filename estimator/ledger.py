@@ -10,6 +10,7 @@ from estimator.config import Config
 from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Status
 from estimator.finding import Finding, FindingKind
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
+from estimator.ranges import Share
 from estimator.rig import Rig
 from estimator.scale import ScaleEvidence, ScaleInformation, after_window, scale_evidence
 from estimator.status import StatusConfig, is_lost, judge
@@ -23,7 +24,7 @@ class LedgerConfig(Config):
     ``shared_scale_sigma`` is the relative error of scale that all windows of a drive share.
     """
 
-    shared_scale_sigma: float = 0.002
+    shared_scale_sigma: Share = 0.002
     status: StatusConfig = StatusConfig()
     observability: ObservabilityConfig = ObservabilityConfig()
 

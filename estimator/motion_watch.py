@@ -11,15 +11,16 @@ from estimator.config import Config
 from estimator.finding import Finding, FindingKind
 from estimator.front_end import FrontEnd
 from estimator.observations import Index
+from estimator.ranges import PositiveCount, SizePx, TimeS
 
 
 class MotionWatchConfig(Config):
     """When the car counts as standing, and how long it may stand or go unknown ways without a word."""
 
-    still_px: float = 0.3
-    min_tracks: int = 20
-    standing_s: float = 3.0
-    unknown_s: float = 10.0
+    still_px: SizePx = 0.3
+    min_tracks: PositiveCount = 20
+    standing_s: TimeS = 3.0
+    unknown_s: TimeS = 10.0
 
 
 class MotionWatch:

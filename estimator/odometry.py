@@ -12,6 +12,7 @@ import poselib
 from estimator.config import Config
 from estimator.first_motion import FirstMotionConfig, first_motion
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
+from estimator.ranges import PointCount, SigmaPx
 from estimator.rig import MountedCamera
 from estimator.se3 import SE3, Array
 from estimator.tracker import Tracker
@@ -21,8 +22,8 @@ class OdometryConfig(Config):
     """When two views suffice to begin, and what counts as agreement afterwards."""
 
     first_motion: FirstMotionConfig = FirstMotionConfig()
-    min_points: int = 10
-    max_error_px: float = 1.5
+    min_points: PointCount = 10
+    max_error_px: SigmaPx = 1.5
 
 
 class Odometry:

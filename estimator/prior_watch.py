@@ -10,18 +10,19 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
+from estimator.ranges import AngleRad, Count, Factor, LengthM
 from estimator.rig import Rig
 
 
 class PriorWatchConfig(Config):
     """What the prior of the rig file rules out, and what it takes to believe it all the same."""
 
-    chi2: float = 27.9  # 0.9999 of a chi-square with six degrees of freedom
-    max_rotation_rad: float = 0.26
-    max_translation_m: float = 0.5
-    agreeing_rotation_rad: float = 0.005
-    agreeing_translation_m: float = 0.05
-    agreeing_windows: int = 2
+    chi2: Factor = 27.9  # 0.9999 of a chi-square with six degrees of freedom
+    max_rotation_rad: AngleRad = 0.26
+    max_translation_m: LengthM = 0.5
+    agreeing_rotation_rad: AngleRad = 0.005
+    agreeing_translation_m: LengthM = 0.05
+    agreeing_windows: Count = 2
 
 
 @dataclass(frozen=True)

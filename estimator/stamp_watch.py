@@ -10,12 +10,14 @@ from collections import deque
 from collections.abc import Iterator
 
 import numpy as np
+from pydantic import Field
 from scipy.sparse.csgraph import connected_components
 
 from estimator.bundle import FrameBundle
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
 from estimator.observations import Index, Mask
+from estimator.ranges import PositiveCount, Share
 from estimator.rig import Rig
 from estimator.se3 import Array
 
@@ -28,11 +30,11 @@ class StampWatchConfig(Config):
     off, 0 for any.
     """
 
-    bundles: int = 60
-    min_images: int = 10
-    max_shared: float = 0.3
-    min_off: float = 0.2
-    min_steadiness: float = 0.9
+    bundles: PositiveCount = 60
+    min_images: int = Field(10, ge=3, le=1000)
+    max_shared: Share = 0.3
+    min_off: Share = 0.2
+    min_steadiness: Share = 0.9
 
 
 class StampWatch:

@@ -7,23 +7,24 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.config import Config
 from estimator.estimate import Axes, Status
+from estimator.ranges import AngleRad, Count, LengthM, PositiveCount
 from estimator.rig import Rig
 
 
 class StatusConfig(Config):
     """What it takes to call a camera converged, or lost."""
 
-    rotation_rad: float = 0.002
-    translation_m: float = 0.04
-    min_links: int = 30
-    max_off_nominal_rad: float = 0.26
-    max_off_nominal_m: float = 0.5
-    lost_after_bundles: int = 20
-    min_sightings: int = 20
+    rotation_rad: AngleRad = 0.002
+    translation_m: LengthM = 0.04
+    min_links: Count = 30
+    max_off_nominal_rad: AngleRad = 0.26
+    max_off_nominal_m: LengthM = 0.5
+    lost_after_bundles: PositiveCount = 20
+    min_sightings: Count = 20
 
 
 def is_lost(newest_sightings: int, missed_bundles: int, config: StatusConfig) -> bool:
-    """Tell whether a camera gives no evidence any more: no images, or none in which anything is recognised."""
+    """Tell whether a camera gives no evidence any more: no images, or nothing recognised in them."""
     return missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings
 
 

@@ -10,6 +10,7 @@ from estimator.camera import Camera
 from estimator.config import Config
 from estimator.detect import DetectConfig, detect_corners
 from estimator.flow import FlowConfig, follow
+from estimator.ranges import AngleRad, Count, LengthM, PositiveCount, SizeOrNonePx
 from estimator.se3 import SE3, Array
 from estimator.track_table import TrackTable
 
@@ -30,12 +31,12 @@ class TrackerConfig(Config):
 
     detect: DetectConfig = DetectConfig()
     flow: FlowConfig = FlowConfig()
-    max_points: int = 220
-    max_travel_m: float = 12.0
-    min_parallax_rad: float = 0.012
-    static_px: float = 0.4
-    bridged_images: int = 4
-    max_strikes: int = 3
+    max_points: PositiveCount = 220
+    max_travel_m: LengthM = 12.0
+    min_parallax_rad: AngleRad = 0.012
+    static_px: SizeOrNonePx = 0.4
+    bridged_images: Count = 4
+    max_strikes: PositiveCount = 3
 
 
 class Tracker:
