@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import cv2
 import numpy as np
 
+from estimator.ahead import is_ahead
 from estimator.align import AlignConfig, align
 from estimator.anchor_view import ViewLimits, view_anchors
 from estimator.anchors import Anchors
@@ -90,7 +91,7 @@ def _candidates(
             pixels = mounted.camera.project(points_cam)
             distance = np.linalg.norm(points_cam, axis=1)
             inside = mounted.camera.contains(pixels, config.border_px) & (distance < config.max_distance_m)
-            inside &= points_cam[:, 2] > 0.17 * distance
+            inside &= is_ahead(points_cam, distance)
             anchor_distance = _anchor_distance(scene, anchors, other)
             unlike = np.abs(np.log(np.maximum(distance, 1e-6) / anchor_distance))
             chosen = np.flatnonzero(inside)

@@ -10,6 +10,7 @@ from estimator.config import Config
 from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Status
 from estimator.finding import Finding, FindingKind
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
+from estimator.off_nominal import OffNominal
 from estimator.ranges import Share
 from estimator.rig import Rig
 from estimator.scale import ScaleEvidence, ScaleInformation, after_window, scale_evidence
@@ -36,8 +37,9 @@ class Ledger:
         scale_information: What each source has said of scale so far.
     """
 
-    def __init__(self, nominal: Rig, config: LedgerConfig) -> None:
+    def __init__(self, nominal: Rig, config: LedgerConfig, off_nominal: OffNominal) -> None:
         self.config = config
+        self._off_nominal = off_nominal
         self.scale_information: ScaleInformation = {}
         self._nominal = nominal
         self._prior = Belief.nominal(nominal)
@@ -110,4 +112,4 @@ class Ledger:
         links, newest = self._links[name], self._newest[name]
         if name == stated.rig.reference:
             return Status.LOST if is_lost(newest, missed, limits) else Status.CONVERGED
-        return judge(name, stated, self._nominal, links, newest, missed, limits, observed)
+        return judge(name, stated, self._nominal, links, newest, missed, limits, observed, self._off_nominal)

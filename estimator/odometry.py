@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 import poselib
 
+from estimator.ahead import is_ahead
 from estimator.config import Config
 from estimator.first_motion import FirstMotionConfig, first_motion
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
@@ -102,7 +103,7 @@ class Odometry:
 
     def _fit(self, rays_cam: Array, points_world: Array) -> SE3 | None:
         focal_px = focal_of(self.mounted.camera)
-        ahead = rays_cam[:, 2] > 0.2
+        ahead = is_ahead(rays_cam)
         predicted = (self.predicted_world_from_ego @ self.mounted.ego_from_cam).inverse()
         pose, info = poselib.estimate_absolute_pose(
             on_plane_px(rays_cam[ahead], focal_px),

@@ -12,6 +12,7 @@ from estimator.front_end import FrontEnd, FrontEndConfig
 from estimator.keyframe import Keyframe
 from estimator.ledger import Ledger, LedgerConfig
 from estimator.lens_watch import LensConfig, LensWatch, Refine
+from estimator.off_nominal import OffNominal
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation
@@ -32,6 +33,7 @@ class OnlineConfig(Config):
     pace: PaceConfig = PaceConfig()
     ledger: LedgerConfig = LedgerConfig()
     watch: WatchConfig = WatchConfig()
+    off_nominal: OffNominal = OffNominal()
     lens: LensConfig = LensConfig()
     refine: Refine = "none"
 
@@ -59,9 +61,9 @@ class OnlineEstimator:
         self.path = Path()
         self.newest_keyframe: Keyframe | None = None
         self.started = False
-        self._ledger = Ledger(rig, self.config.ledger)
+        self._ledger = Ledger(rig, self.config.ledger, self.config.off_nominal)
         self._stamp_ns = 0
-        self._watch = Watch(rig, self.config.watch)
+        self._watch = Watch(rig, self.config.watch, self.config.off_nominal)
 
     def update(self, bundle: FrameBundle) -> Estimate:
         """Follow the bundle; when a window is full, calibrate from it."""

@@ -14,6 +14,7 @@ from estimator.image_watch import ImageWatch, ImageWatchConfig
 from estimator.keyframe import Keyframe
 from estimator.motion_watch import MotionWatch, MotionWatchConfig
 from estimator.mount_watch import MountWatch, MountWatchConfig
+from estimator.off_nominal import OffNominal
 from estimator.prior_watch import PriorWatch, PriorWatchConfig
 from estimator.rig import Rig
 from estimator.stamp_watch import StampWatch, StampWatchConfig
@@ -34,14 +35,14 @@ class WatchConfig(Config):
 class Watch:
     """Sees every bundle and every window, and says what is wrong while it is."""
 
-    def __init__(self, rig: Rig, config: WatchConfig) -> None:
+    def __init__(self, rig: Rig, config: WatchConfig, off_nominal: OffNominal) -> None:
         self._reference = rig.reference
         self._images = ImageWatch(rig, config.image)
         self._stamps = StampWatch(rig, config.stamps)
         self._motion = MotionWatch(config.motion)
         self._mounts = MountWatch(rig, config.mount)
         self._common = CommonViewWatch(rig, config.common)
-        self._prior = PriorWatch(rig, config.prior)
+        self._prior = PriorWatch(rig, config.prior, off_nominal)
         self._stamp_ns: int | None = None
 
     def admit(self, bundle: FrameBundle) -> FrameBundle | None:

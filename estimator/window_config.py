@@ -6,6 +6,7 @@ from pydantic import Field
 
 from estimator.align import AlignConfig
 from estimator.config import Config
+from estimator.corridor_config import CorridorConfig
 from estimator.factors import GraphConfig
 from estimator.handover import HandoverConfig
 from estimator.ranges import AngleRad, LengthM, PositiveShare, SearchRad, SigmaPx
@@ -24,6 +25,7 @@ class WindowConfig(Config):
     narrow_search_rad: SearchRad = 0.008
     scale_drift: PositiveShare = 0.01  # relative, of the odometry from one window to the next
     road_tolerance_m: LengthM = 0.08
+    corridor: CorridorConfig = CorridorConfig()
     result: ResultConfig = ResultConfig()
     graph: GraphConfig = GraphConfig()
     rough_graph: GraphConfig = GraphConfig(road_sigma_m=0.08)  # pavements count as road

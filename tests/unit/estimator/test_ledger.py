@@ -10,6 +10,7 @@ from estimator.belief import Belief
 from estimator.estimate import Status
 from estimator.finding import Finding, FindingKind
 from estimator.ledger import Ledger, LedgerConfig
+from estimator.off_nominal import OffNominal
 from estimator.window_result import ResultConfig, WindowResult, conclude
 from tests.known_scene import known_scene, sightings
 from tests.mounts import arc, left_side_rig
@@ -35,13 +36,13 @@ def statuses(ledger: Ledger, *findings: Finding, missed: dict[str, int] = NOBODY
 
 
 def filled() -> Ledger:
-    ledger = Ledger(RIG, LedgerConfig())
+    ledger = Ledger(RIG, LedgerConfig(), OffNominal())
     ledger.add(window())
     return ledger
 
 
 def test_before_the_first_window_nothing_is_known_and_nothing_is_added_to_the_prior() -> None:
-    ledger = Ledger(RIG, LedgerConfig())
+    ledger = Ledger(RIG, LedgerConfig(), OffNominal())
     assert ledger.is_empty and ledger.scale() is None
     assert statuses(ledger) == dict.fromkeys(RIG.cameras, Status.INITIALISING)
     cameras = ledger.cameras(SURE, NOBODY_MISSED, (), {})
