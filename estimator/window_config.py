@@ -19,7 +19,7 @@ class WindowConfig(Config):
 
     track_sigma_px: SigmaPx = 0.5
     sighting_noise: SightingNoise = SightingNoise()
-    repeats: int = Field(0, ge=0, le=100)  # how often sightings are measured again from a better scene
+    repeats: int = Field(0, ge=0, le=10)  # how often sightings are measured again from a better scene
     unsure_rad: AngleRad = 0.006
     wide_search_rad: SearchRad = 0.04
     narrow_search_rad: SearchRad = 0.008
