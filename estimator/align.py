@@ -16,6 +16,7 @@ from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index
 from estimator.patches import Patches, normalised, sample_patches
+from estimator.ranges import HalfPatchPx, Share, SizePx, StepCount
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -23,11 +24,11 @@ from estimator.se3 import Array
 class AlignConfig(Config):
     """Patch size, steps, and the likeness below which an alignment is not believed."""
 
-    half_px: int = 6
-    steps: int = 8
-    settled_px: float = 0.005
-    min_likeness: float = 0.8
-    max_shift_px: float = 3.0
+    half_px: HalfPatchPx = 6
+    steps: StepCount = 8
+    settled_px: Share = 0.005
+    min_likeness: Share = 0.8
+    max_shift_px: SizePx = 3.0
     view: ViewLimits = ViewLimits()
 
 

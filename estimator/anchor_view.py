@@ -6,12 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from pydantic import Field
 
 from estimator.anchors import Anchors
 from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index, Mask
 from estimator.patches import Patches, sample_patches
+from estimator.ranges import PositiveShare
 from estimator.scene import Scene
 from estimator.se3 import Array
 from estimator.warps import Warps, plane_warp
@@ -20,9 +22,9 @@ from estimator.warps import Warps, plane_warp
 class ViewLimits(Config):
     """How far a patch may be stretched, in all and along one direction, and still be compared."""
 
-    min_stretch: float = 1 / 3
-    max_stretch: float = 3.0
-    max_norm: float = 6.0
+    min_stretch: PositiveShare = 1 / 3
+    max_stretch: float = Field(3.0, ge=1, le=100)
+    max_norm: float = Field(6.0, ge=1, le=100)
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,16 +8,17 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from estimator.config import Config
+from estimator.ranges import PositiveCount, Share
 from estimator.whose_images import Fit
 
 
 class AssignmentConfig(Config):
     """How much better a stream must fit another mount than its own, and how many tracks must say so."""
 
-    min_tracks: int = 30
-    min_share: float = 0.6
-    min_gain: float = 0.4
-    loyalty: float = 0.1  # of a stream to its own mount: among mounts that look the same way, it stays
+    min_tracks: PositiveCount = 30
+    min_share: Share = 0.6
+    min_gain: Share = 0.4
+    loyalty: Share = 0.1  # of a stream to its own mount: among mounts that look the same way, it stays
 
 
 def swapped_cycles(fit: Fit, config: AssignmentConfig) -> list[tuple[int, ...]]:

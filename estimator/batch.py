@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from pydantic import Field
+
 from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
@@ -34,7 +36,7 @@ class BatchConfig(Config):
 
     online: OnlineConfig = OnlineConfig()
     window: WindowConfig = WindowConfig(repeats=1, graph=_PATIENT)
-    segment_keyframes: int = 100
+    segment_keyframes: int = Field(100, ge=2, le=10_000)
     refine: Refine = "none"
 
 

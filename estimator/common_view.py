@@ -15,17 +15,18 @@ import numpy as np
 from estimator.config import Config
 from estimator.estimate import Match
 from estimator.finding import Finding, FindingKind
+from estimator.ranges import AngleRad, Count, LengthM, Share
 from estimator.rig import Rig
 
 
 class CommonViewConfig(Config):
     """Which pairs must share landmarks, and how many windows may pass in which they share hardly any."""
 
-    distance_m: float = 12.0
-    min_overlap: float = 0.5
-    max_angle_rad: float = 0.35
-    min_matches: int = 8
-    min_sightings: int = 200
+    distance_m: LengthM = 12.0
+    min_overlap: Share = 0.5
+    max_angle_rad: AngleRad = 0.35
+    min_matches: Count = 8
+    min_sightings: Count = 200
 
 
 class CommonViewWatch:

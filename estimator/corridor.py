@@ -12,9 +12,6 @@ from estimator.observations import Index, Mask, Observations
 from estimator.scene import Scene
 from estimator.se3 import Array
 
-_HALF_WIDTH_M = 1.4
-_BEYOND_ENDS_M = 5.0
-_MIDDLE_M = 1.35  # of the wheelbase, ahead of the rear axle: between its wheels a car knows the road best
 _MIN_SLOPE = 0.2
 
 
@@ -37,14 +34,15 @@ def road_height_m(scene: Scene, points_world: Array) -> Array:
 def in_corridor(scene: Scene, points_world: Array) -> Mask:
     """Tell which of (N, 3) points lie under the car's path, or shortly before or after it."""
     ahead, beside = _beside_the_car(scene, points_world)[1][:, :2].T
+    limits = scene.corridor
     with np.errstate(invalid="ignore"):
-        return np.asarray((np.abs(beside) < _HALF_WIDTH_M) & (np.abs(ahead) < _BEYOND_ENDS_M))
+        return np.asarray((np.abs(beside) < limits.half_width_m) & (np.abs(ahead) < limits.beyond_ends_m))
 
 
 def _beside_the_car(scene: Scene, points_world: Array) -> tuple[Index, Array]:
     """Return (N,) the keyframes where the car came nearest to points, and (N, 3) the points in its frame."""
     local = np.stack([pose.inverse().apply(points_world) for pose in scene.world_from_egos])
-    distance_m = np.hypot(local[..., 0] - _MIDDLE_M, local[..., 1])
+    distance_m = np.hypot(local[..., 0] - scene.corridor.middle_m, local[..., 1])
     nearest = np.argmin(np.nan_to_num(distance_m, nan=np.inf), axis=0)
     return nearest, local[nearest, np.arange(len(points_world))]
 

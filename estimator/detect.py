@@ -5,20 +5,22 @@ from __future__ import annotations
 import cv2
 import numpy as np
 import numpy.typing as npt
+from pydantic import Field
 
 from estimator.bundle import Image
 from estimator.config import Config
+from estimator.ranges import PositiveCount, Share, StepCount
 from estimator.se3 import Array
 
 
 class DetectConfig(Config):
     """Where corners are taken: one in each free cell, if it is strong enough."""
 
-    cells: int = 320
-    border_px: int = 12
-    min_eigenvalue: float = 8e-6
-    block_px: int = 5
-    bands: int = 6
+    cells: PositiveCount = 320
+    border_px: int = Field(12, ge=2, le=1000)
+    min_eigenvalue: Share = 8e-6
+    block_px: int = Field(5, ge=1, le=31)
+    bands: StepCount = 6
 
 
 def detect_corners(image: Image, occupied_px: Array, room: int, config: DetectConfig) -> Array:
@@ -50,7 +52,7 @@ def detect_corners(image: Image, occupied_px: Array, room: int, config: DetectCo
     strength[:, :border], strength[:, -border:] = 0, 0
     rows, cols = strength.shape[0] // cell, strength.shape[1] // cell
     tiles = strength[: rows * cell, : cols * cell].reshape(rows, cell, cols, cell).transpose(0, 2, 1, 3)
-    tiles = tiles.reshape(rows, cols, -1)
+    tiles = tiles.reshape(rows, cols, cell * cell)
     best = tiles.argmax(-1)
     value = np.take_along_axis(tiles, best[..., None], -1)[..., 0]
     taken = (occupied_px / (2 * cell)).astype(int)

@@ -13,17 +13,19 @@ import numpy as np
 from estimator.config import Config
 from estimator.keyframe import Keyframe
 from estimator.observations import Index, Mask
+from estimator.ranges import AngleRad, LengthM
 from estimator.rig import MountedCamera
 from estimator.se3 import SE3, Array
+from estimator.two_rays import depths_m
 
 
 class FitConfig(Config):
     """When a track counts as explained, and which tracks can tell."""
 
-    tolerance_rad: float = 0.01
-    loss_rad: tuple[float, ...] = (0.03, 0.015, 0.008)
-    min_parallax_rad: float = 0.03
-    min_depth_m: float = 0.2
+    tolerance_rad: AngleRad = 0.01
+    loss_rad: tuple[AngleRad, ...] = (0.03, 0.015, 0.008)
+    min_parallax_rad: AngleRad = 0.03
+    min_depth_m: LengthM = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,10 +119,6 @@ def _off_plane(first: Array, last: Array, baseline: Array) -> Array:
 
 def _before_camera(first: Array, last: Array, baseline: Array, config: FitConfig) -> Mask:
     """Tell which rays meet before both cameras."""
-    cosine = np.einsum("ni,ni->n", first, last)
-    sine2 = np.maximum(1 - cosine**2, 1e-12)
-    along_first = np.einsum("ni,ni->n", first, baseline)
-    along_last = np.einsum("ni,ni->n", last, baseline)
     with np.errstate(invalid="ignore"):
-        before = (along_first - cosine * along_last) / sine2 > config.min_depth_m
-        return np.asarray(before & ((cosine * along_first - along_last) / sine2 > config.min_depth_m))
+        depth_first, depth_last = depths_m(first, last, baseline)
+        return np.asarray((depth_first > config.min_depth_m) & (depth_last > config.min_depth_m))

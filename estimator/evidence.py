@@ -10,9 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from pydantic import Field
 
 from estimator.belief import Belief
 from estimator.config import Config
+from estimator.ranges import ClockSigmaS, SigmaPx
 from estimator.rig import Rig
 from estimator.scene import Scene
 from estimator.se3 import Array
@@ -25,9 +27,9 @@ _HELD = 1e-5  # of the usual error, for what counts as right
 class UsualErrors(Config):
     """How far lenses and clocks usually are from what the rig file says: one sigma of a weak prior."""
 
-    focal_share: float = 0.01
-    center_px: float = 3.0
-    clock_s: float = 0.02
+    focal_share: float = Field(0.01, ge=1e-6, le=1)
+    center_px: SigmaPx = 3.0
+    clock_s: ClockSigmaS = 0.02
 
     def sigmas(self, unknowns: Unknowns) -> Array:
         """Return the (D,) usual errors; NaN for poses, of which this says nothing."""

@@ -15,6 +15,7 @@ from estimator.config import Config
 from estimator.kinematics import RearAxleConfig, add_rear_axle
 from estimator.loss import Loss
 from estimator.observations import Mask, Observations
+from estimator.ranges import PositiveShare, SigmaM, SigmaRad, StepCount
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
 
@@ -24,15 +25,15 @@ _PLANE = gtsam.Cal3_S2(1.0, 1.0, 0.0, 0.0, 0.0)
 class GraphConfig(Config):
     """What is believed besides the images."""
 
-    road_sigma_m: float = 0.02
-    ride_height_sigma_m: float = 0.02
-    ride_tilt_sigma_rad: float = 0.01
-    road_bend_per_m: float = 0.01
-    level_sigma_rad: float = 0.1
-    level_height_sigma_m: float = 0.5
+    road_sigma_m: SigmaM = 0.02
+    ride_height_sigma_m: SigmaM = 0.02
+    ride_tilt_sigma_rad: SigmaRad = 0.01
+    road_bend_per_m: SigmaRad = 0.01
+    level_sigma_rad: SigmaRad = 0.1
+    level_height_sigma_m: SigmaM = 0.5
     rear_axle: RearAxleConfig = RearAxleConfig()
-    iterations: int = 12
-    relative_tolerance: float = 1e-3
+    iterations: StepCount = 12
+    relative_tolerance: PositiveShare = 1e-3
 
 
 def pose_key(keyframe: int) -> int:

@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import poselib
 
+from estimator.ahead import is_ahead
 from estimator.config import Config
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole
+from estimator.ranges import AngleRad, PointCount, SigmaPx
 from estimator.rig import MountedCamera
 from estimator.road import road_scale
 from estimator.se3 import SE3, Array
@@ -17,9 +19,9 @@ from estimator.triangulate import triangulate
 class FirstMotionConfig(Config):
     """When two views suffice to begin."""
 
-    min_points: int = 30
-    parallax_rad: float = 0.015
-    max_error_px: float = 1.0
+    min_points: PointCount = 30
+    parallax_rad: AngleRad = 0.015
+    max_error_px: SigmaPx = 1.0
 
 
 def first_motion(tracks: TrackTable, mounted: MountedCamera, config: FirstMotionConfig) -> SE3 | None:
@@ -27,7 +29,7 @@ def first_motion(tracks: TrackTable, mounted: MountedCamera, config: FirstMotion
 
     None while the views are too alike, too few tracks agree on one motion, or no road shows its length.
     """
-    usable = (tracks.rays_cam[:, 2] > 0.2) & (tracks.anchor_rays_cam[:, 2] > 0.2)
+    usable = is_ahead(tracks.rays_cam) & is_ahead(tracks.anchor_rays_cam)
     usable &= np.isfinite(tracks.anchor_center_world).all(1)
     if usable.sum() < config.min_points:
         return None

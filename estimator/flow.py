@@ -7,18 +7,20 @@ from functools import partial
 import cv2
 import numpy as np
 import numpy.typing as npt
+from pydantic import Field
 
 from estimator.bundle import Image
 from estimator.config import Config
+from estimator.ranges import SizePx
 from estimator.se3 import Array
 
 
 class FlowConfig(Config):
     """Lucas-Kanade settings; the round trip must come back within ``max_return_px``."""
 
-    window_px: int = 13
-    levels: int = 4
-    max_return_px: float = 0.6
+    window_px: int = Field(13, ge=3, le=101)
+    levels: int = Field(4, ge=0, le=10)
+    max_return_px: SizePx = 0.6
 
 
 def follow(

@@ -8,6 +8,8 @@ from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.keyframe import Keyframe
 from estimator.odometry import Odometry, OdometryConfig
+from estimator.ranges import Count, LengthOrNoneM, Share
+from estimator.repeats import Repeats
 from estimator.rig import Rig
 from estimator.rig_pose import RigPoseConfig, Sight, fit_rig_pose
 from estimator.se3 import SE3, Array
@@ -21,9 +23,9 @@ class FrontEndConfig(Config):
     tracker: TrackerConfig = TrackerConfig()
     odometry: OdometryConfig = OdometryConfig()
     rig_pose: RigPoseConfig = RigPoseConfig()
-    lost_after: int = 3
-    restart_below: float = 0.5
-    least_step_m: float = 0.02
+    lost_after: Count = 3
+    restart_below: Share = 0.5
+    least_step_m: LengthOrNoneM = 0.02
 
 
 class FrontEnd:
@@ -31,6 +33,7 @@ class FrontEnd:
 
     Attributes:
         known: Whether the newest bundle's pose was measured, not guessed.
+        repeats: Which images of the newest bundle their cameras had given before.
     """
 
     def __init__(self, rig: Rig, config: FrontEndConfig) -> None:
@@ -39,7 +42,7 @@ class FrontEnd:
         self.odometry = Odometry(rig[rig.reference], config.odometry)
         self.trackers = {name: Tracker(m.camera, config.tracker) for name, m in rig.cameras.items()}
         self._bundle: FrameBundle | None = None
-        self._last_images: dict[str, Image] = {}
+        self.repeats = Repeats()
         self._seen_from: dict[str, SE3] = {}  # where the car was at each camera's last image
         self._started_with = 0
         self._trusted: frozenset[str] = frozenset()  # whose pose on the car is known well enough to help
@@ -113,12 +116,8 @@ class FrontEnd:
 
         They come from a camera that hangs; taken for the world, they show landmarks at infinity.
         """
-        repeats = {
-            name
-            for name, image in bundle.images.items()
-            if name in self._last_images and np.array_equal(image, self._last_images[name])
-        }
-        self._last_images |= bundle.images
+        self.repeats.see(bundle)
+        repeats = self.repeats.names
         if not repeats or self.odometry.step_m < self.config.least_step_m:
             return bundle
         images = {name: image for name, image in bundle.images.items() if name not in repeats}

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import cv2
 import numpy as np
 
+from estimator.ahead import is_ahead
 from estimator.align import AlignConfig, align
 from estimator.anchor_view import ViewLimits, view_anchors
 from estimator.anchors import Anchors
@@ -18,6 +19,7 @@ from estimator.bundle import Image
 from estimator.config import Config
 from estimator.observations import Index, Observations
 from estimator.patches import sample_patches
+from estimator.ranges import HalfPatchPx, LengthM, Share, SigmaPx, SizeOrNonePx, StepCount
 from estimator.scene import Scene
 from estimator.se3 import Array
 
@@ -25,13 +27,13 @@ from estimator.se3 import Array
 class HandoverConfig(Config):
     """How many sightings are sought, and how sure a match must be."""
 
-    views_per_camera: int = 4
-    border_px: float = 8.0
-    max_distance_m: float = 40.0
-    half_px: int = 7
-    min_peak: float = 0.75
-    max_rival: float = 0.9
-    sigma_px: float = 0.25
+    views_per_camera: StepCount = 4
+    border_px: SizeOrNonePx = 8.0
+    max_distance_m: LengthM = 40.0
+    half_px: HalfPatchPx = 7
+    min_peak: Share = 0.75
+    max_rival: Share = 0.9
+    sigma_px: SigmaPx = 0.25
     view: ViewLimits = ViewLimits(min_stretch=0.33, max_norm=5.0)
     align: AlignConfig = AlignConfig(half_px=7, min_likeness=0.82)
 
@@ -89,7 +91,7 @@ def _candidates(
             pixels = mounted.camera.project(points_cam)
             distance = np.linalg.norm(points_cam, axis=1)
             inside = mounted.camera.contains(pixels, config.border_px) & (distance < config.max_distance_m)
-            inside &= points_cam[:, 2] > 0.17 * distance
+            inside &= is_ahead(points_cam, distance)
             anchor_distance = _anchor_distance(scene, anchors, other)
             unlike = np.abs(np.log(np.maximum(distance, 1e-6) / anchor_distance))
             chosen = np.flatnonzero(inside)

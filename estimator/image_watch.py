@@ -5,21 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 import numpy as np
+from pydantic import Field
 
 from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
+from estimator.ranges import Count, PositiveCount, StepCount
 from estimator.rig import Rig
 
 
 class ImageWatchConfig(Config):
     """How many bundles in a row make a finding and end it, and what counts as nothing to be seen."""
 
-    begins_after: int = 10
-    ends_after: int = 3
-    min_contrast: float = 10.0  # levels between the 2nd and the 98th percentile
-    min_corners: int = 20
-    stride_px: int = 7
+    begins_after: PositiveCount = 10
+    ends_after: PositiveCount = 3
+    min_contrast: float = Field(10.0, ge=0, le=255)  # levels between the 2nd and the 98th percentile
+    min_corners: Count = 20
+    stride_px: StepCount = 7
 
 
 class ImageWatch:
@@ -47,9 +49,8 @@ class ImageWatch:
                 self._shape[name] = f"{image.dtype} {' x '.join(map(str, image.shape[::-1]))}"
         return FrameBundle(bundle.stamp_ns, images)
 
-    def see(self, bundle: FrameBundle, corner_count: Mapping[str, int]) -> None:
-        """Take note of a bundle, and of how many corners are followed in each image."""
-        repeats = {name for name, image in bundle.images.items() if self._repeats(name, image)}
+    def see(self, bundle: FrameBundle, corner_count: Mapping[str, int], repeats: frozenset[str]) -> None:
+        """Take note of a bundle, of how many corners are followed in each image, and of repeated images."""
         others_move = len(repeats) < len(bundle.images)
         for (kind, name), spell in self._spells.items():
             image = bundle.images.get(name)
@@ -78,7 +79,7 @@ class ImageWatch:
             else "its pose stays as it was known before"
         )
         if kind is FindingKind.FROZEN_IMAGE:
-            return f"{name} has sent one and the same image {length} times in a row; {consequence}"
+            return f"{name} has sent its last image once more, to the byte, {length} times; {consequence}"
         if kind is FindingKind.NO_TEXTURE:
             level = int(np.median(self._sample(self._last[name])))
             return f"{name} has shown nothing, level {level} of 255, for {length} images; {consequence}"
@@ -90,12 +91,6 @@ class ImageWatch:
             )
         return f"{name} has sent no image for {length} bundles; {consequence}"
 
-    def _repeats(self, name: str, image: Image) -> bool:
-        last = self._last.get(name)
-        if last is None or last.shape != image.shape:
-            return False
-        return np.array_equal(self._sample(last), self._sample(image)) and np.array_equal(last, image)
-
     def _contrast(self, image: Image) -> float:
         low, high = np.percentile(self._sample(image), [2, 98])
         return float(high - low)
@@ -105,22 +100,23 @@ class ImageWatch:
 
 
 class _Spell:
-    """How many times in a row something was so; it ends after a few times that it was not."""
+    """Something begins when it was so a few times in a row, and ends when it was not so a few times in a row.
+
+    Attributes:
+        lasts: Whether it has begun and not ended.
+        length: How many times it was so since it was last otherwise before it began.
+    """
 
     def __init__(self, config: ImageWatchConfig) -> None:
         self._config = config
         self._missed = 0
         self.length = 0
+        self.lasts = False
 
     def count(self, is_so: bool) -> None:
+        self._missed = 0 if is_so else self._missed + 1
         if is_so:
-            self.length += 1 + self._missed
-            self._missed = 0
-        elif self.length:
-            self._missed += 1
-            if self._missed >= self._config.ends_after:
-                self.length = self._missed = 0
-
-    @property
-    def lasts(self) -> bool:
-        return self.length >= self._config.begins_after
+            self.length += 1
+            self.lasts = self.lasts or self.length >= self._config.begins_after
+        elif not self.lasts or self._missed >= self._config.ends_after:
+            self.length, self.lasts = 0, False

@@ -15,6 +15,7 @@ import gtsam
 import numpy as np
 
 from estimator.config import Config
+from estimator.ranges import Share, SigmaRad
 from estimator.se3 import SE3, Array, skew
 
 
@@ -25,11 +26,11 @@ class RearAxleConfig(Config):
     with the cornering stiffness of car tyres, 10 to 25 times their load a radian, 4 to 10 mrad.
     """
 
-    heading_sigma_rad: float = 0.005  # of the true axle against the ego frame
-    slip_rad_per_mps2: float = 0.006
-    slip_sigma_rad_per_mps2: float = 0.003
-    floor: float = 0.003  # metres sideways a metre, from one keyframe to the next
-    per_mps2: float = 0.002  # what the slip is off its own mean, more in harder turns
+    heading_sigma_rad: SigmaRad = 0.005  # of the true axle against the ego frame
+    slip_rad_per_mps2: Share = 0.006
+    slip_sigma_rad_per_mps2: SigmaRad = 0.003
+    floor: SigmaRad = 0.003  # metres sideways a metre, from one keyframe to the next
+    per_mps2: Share = 0.002  # what the slip is off its own mean, more in harder turns
 
 
 def add_rear_axle(

@@ -10,9 +10,11 @@ from estimator.config import Config
 from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Status
 from estimator.finding import Finding, FindingKind
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
+from estimator.off_nominal import OffNominal
+from estimator.ranges import Share
 from estimator.rig import Rig
 from estimator.scale import ScaleEvidence, ScaleInformation, after_window, scale_evidence
-from estimator.status import StatusConfig, judge
+from estimator.status import StatusConfig, is_lost, judge
 from estimator.watch import doubted
 from estimator.window_result import WindowResult
 
@@ -23,7 +25,7 @@ class LedgerConfig(Config):
     ``shared_scale_sigma`` is the relative error of scale that all windows of a drive share.
     """
 
-    shared_scale_sigma: float = 0.002
+    shared_scale_sigma: Share = 0.002
     status: StatusConfig = StatusConfig()
     observability: ObservabilityConfig = ObservabilityConfig()
 
@@ -35,8 +37,9 @@ class Ledger:
         scale_information: What each source has said of scale so far.
     """
 
-    def __init__(self, nominal: Rig, config: LedgerConfig) -> None:
+    def __init__(self, nominal: Rig, config: LedgerConfig, off_nominal: OffNominal) -> None:
         self.config = config
+        self._off_nominal = off_nominal
         self.scale_information: ScaleInformation = {}
         self._nominal = nominal
         self._prior = Belief.nominal(nominal)
@@ -106,10 +109,14 @@ class Ledger:
         return estimates
 
     def _status(self, name: str, stated: Belief, missed: int, observed: Axes) -> Status:
-        """Return the status that the windows' evidence gives, whatever else was noticed."""
-        if name == stated.rig.reference:
-            return Status.CONVERGED
+        """Return the status that the windows' evidence gives, whatever else was noticed.
+
+        The reference's pose is known; what may be wanting is evidence that the camera still sees from there.
+        """
+        limits = self.config.status
         if self._newest is None:
             return Status.INITIALISING
         links, newest = self._links[name], self._newest[name]
-        return judge(name, stated, self._nominal, links, newest, missed, self.config.status, observed)
+        if name == stated.rig.reference:
+            return Status.LOST if is_lost(newest, missed, limits) else Status.CONVERGED
+        return judge(name, stated, self._nominal, links, newest, missed, limits, observed, self._off_nominal)

@@ -9,6 +9,7 @@ import numpy as np
 from estimator.config import Config
 from estimator.evidence import Posterior
 from estimator.finding import Finding, FindingKind
+from estimator.ranges import Factor, PositiveShare, SizePx, StepCount, TimeS
 from estimator.rig import Rig
 from estimator.se3 import Array
 from estimator.unknowns import Unknowns
@@ -21,11 +22,11 @@ class AccusationConfig(Config):
     moves it by 15 mm at 5 m/s.
     """
 
-    focal_share: float = 0.003
-    center_px: float = 1.0
-    clock_s: float = 0.003
-    sigmas: float = 6.0
-    min_windows: int = 2
+    focal_share: PositiveShare = 0.003
+    center_px: SizePx = 1.0
+    clock_s: TimeS = 0.003
+    sigmas: Factor = 6.0
+    min_windows: StepCount = 2
 
 
 def accusations(posterior: Posterior, nominal: Rig, config: AccusationConfig) -> tuple[Finding, ...]:

@@ -26,6 +26,7 @@ from estimator.graph import adjust
 from estimator.lens_findings import AccusationConfig, accusations
 from estimator.loss import Loss
 from estimator.observations import Observations
+from estimator.ranges import Factor, PositiveShare
 from estimator.rig import Rig
 from estimator.scene import Scene
 from estimator.unknowns import Unknowns
@@ -43,9 +44,9 @@ class LensConfig(Config):
 
     usual: UsualErrors = UsualErrors()
     accuse: AccusationConfig = AccusationConfig()
-    suspect_sigmas: float = Field(3.0, gt=0)
-    rounds: int = Field(6, ge=0)
-    settled: float = Field(0.03, gt=0)
+    suspect_sigmas: Factor = 3.0
+    rounds: int = Field(6, ge=0, le=100)
+    settled: PositiveShare = 0.03
 
 
 class LensWatch:

@@ -6,35 +6,41 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from estimator.bundle import FrameBundle, Image
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
 from estimator.front_end import FrontEnd
 from estimator.observations import Index
+from estimator.ranges import PositiveCount, SizePx, TimeS
 
 
 class MotionWatchConfig(Config):
     """When the car counts as standing, and how long it may stand or go unknown ways without a word."""
 
-    still_px: float = 0.3
-    min_tracks: int = 20
-    standing_s: float = 3.0
-    unknown_s: float = 10.0
+    still_px: SizePx = 0.3
+    min_tracks: PositiveCount = 20
+    standing_s: TimeS = 3.0
+    unknown_s: TimeS = 10.0
 
 
 class MotionWatch:
-    """Remembers since when the car has stood, or moved in a way that nobody can tell."""
+    """Remembers since when the car has stood, all images were the same, or nobody can tell how it moves."""
 
     def __init__(self, config: MotionWatchConfig) -> None:
         self._config = config
         self._still_since_ns: int | None = None
+        self._same_since_ns: int | None = None
         self._unknown_since_ns: int | None = None
         self._stamp_ns = 0
         self._shift_px = 0.0
         self._ids: Index = np.zeros(0, np.int64)
 
-    def see(self, stamp_ns: int, front_end: FrontEnd) -> None:
+    def see(self, bundle: FrameBundle, front_end: FrontEnd) -> None:
         """Take note of a bundle that the front end has followed."""
-        self._stamp_ns = stamp_ns
+        self._stamp_ns = bundle.stamp_ns
+        same = bool(bundle.images) and front_end.repeats.names == frozenset(bundle.images)
+        same = same and any(_shows_something(image) for image in bundle.images.values())
+        self._same_since_ns = self._since(self._same_since_ns, same)
         reference = front_end.trackers[front_end.rig.reference]
         if not reference.current:
             return
@@ -55,7 +61,14 @@ class MotionWatch:
     def findings(self, reference: str) -> Iterator[Finding]:
         """Yield what lasts."""
         still_s, unknown_s = self._seconds(self._still_since_ns), self._seconds(self._unknown_since_ns)
-        if still_s >= self._config.standing_s:
+        same_s = self._seconds(self._same_since_ns)
+        if same_s >= self._config.standing_s:
+            about = (
+                f"for {same_s:.0f} s all cameras have repeated their images to the byte: the car stands, or "
+                "every camera hangs, or what records them; nothing can be learnt meanwhile"
+            )
+            yield Finding(FindingKind.NO_MOTION, (reference,), about, doubtful=False)
+        elif still_s >= self._config.standing_s:
             about = (
                 f"the car has stood still for {still_s:.0f} s: {reference} moves by {self._shift_px:.2f} px "
                 "an image; a standing car teaches nothing"
@@ -70,3 +83,7 @@ class MotionWatch:
 
     def _seconds(self, since_ns: int | None) -> float:
         return 0.0 if since_ns is None else (self._stamp_ns - since_ns) * 1e-9
+
+
+def _shows_something(image: Image) -> bool:
+    return bool(image.min() < image.max())

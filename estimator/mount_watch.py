@@ -13,6 +13,7 @@ from estimator.config import Config
 from estimator.epipolar import FitConfig
 from estimator.finding import Finding
 from estimator.keyframe import Keyframe
+from estimator.ranges import AngleRad, KeyframeCount, Share, StepCount
 from estimator.rig import Rig
 from estimator.slip import slip_rad
 from estimator.whose_images import Fit, fit_streams
@@ -25,12 +26,12 @@ class MountWatchConfig(Config):
 
     fit: FitConfig = FitConfig()
     assignment: AssignmentConfig = AssignmentConfig()
-    windows: int = 3
-    suspicious_share: float = 0.6
-    min_share: float = 0.4
-    min_keyframes: int = 4
-    max_slip_rad: float = 0.35
-    untracked_windows: int = 2
+    windows: StepCount = 3
+    suspicious_share: Share = 0.6
+    min_share: Share = 0.4
+    min_keyframes: KeyframeCount = 4
+    max_slip_rad: AngleRad = 0.35
+    untracked_windows: StepCount = 2
 
 
 class MountWatch:

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
+from pydantic import Field
 
 from estimator import move_findings as say
 from estimator.belief import Belief
@@ -27,9 +28,9 @@ class MoveWatchConfig(Config):
     ``chi2`` is 0.9999 of a chi-square with six degrees of freedom.
     """
 
-    chi2: float = 27.9
-    alone_rotation_rad: float = 0.02  # a sigma for each axis
-    alone_translation_m: float = 0.05
+    chi2: float = Field(27.9, gt=0, le=1e6)
+    alone_rotation_rad: float = Field(0.02, gt=0, le=1)  # a sigma for each axis
+    alone_translation_m: float = Field(0.05, gt=0, le=10)
 
     def camera_covariance(self) -> Array:
         """Return the (6, 6) covariance of a camera of which next to nothing is known."""

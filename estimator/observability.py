@@ -7,6 +7,7 @@ import numpy as np
 from estimator.config import Config
 from estimator.estimate import Axes
 from estimator.observations import Mask
+from estimator.ranges import AngleRad, LengthM, Share
 from estimator.se3 import SE3, Array
 
 _TURNS = ("pitch", "yaw", "roll")  # about the camera's axes: right, down, forward
@@ -20,9 +21,9 @@ class ObservabilityConfig(Config):
     drive could, it shows the axis by itself to within the sigma given here.
     """
 
-    share: float = 0.9
-    rotation_rad: float = 0.0005
-    translation_m: float = 0.005
+    share: Share = 0.9
+    rotation_rad: AngleRad = 0.0005
+    translation_m: LengthM = 0.005
 
 
 def observed_axes(covariance: Array, prior: Array, config: ObservabilityConfig) -> Axes:

@@ -9,9 +9,11 @@ from __future__ import annotations
 import numpy as np
 import poselib
 
+from estimator.ahead import is_ahead
 from estimator.config import Config
 from estimator.first_motion import FirstMotionConfig, first_motion
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
+from estimator.ranges import PointCount, SigmaPx
 from estimator.rig import MountedCamera
 from estimator.se3 import SE3, Array
 from estimator.tracker import Tracker
@@ -21,8 +23,8 @@ class OdometryConfig(Config):
     """When two views suffice to begin, and what counts as agreement afterwards."""
 
     first_motion: FirstMotionConfig = FirstMotionConfig()
-    min_points: int = 10
-    max_error_px: float = 1.5
+    min_points: PointCount = 10
+    max_error_px: SigmaPx = 1.5
 
 
 class Odometry:
@@ -101,7 +103,7 @@ class Odometry:
 
     def _fit(self, rays_cam: Array, points_world: Array) -> SE3 | None:
         focal_px = focal_of(self.mounted.camera)
-        ahead = rays_cam[:, 2] > 0.2
+        ahead = is_ahead(rays_cam)
         predicted = (self.predicted_world_from_ego @ self.mounted.ego_from_cam).inverse()
         pose, info = poselib.estimate_absolute_pose(
             on_plane_px(rays_cam[ahead], focal_px),

@@ -13,6 +13,7 @@ from estimator.keyframe import Keyframe
 from estimator.ledger import Ledger, LedgerConfig
 from estimator.lens_watch import LensConfig, LensWatch, Refine
 from estimator.move_watch import MoveWatch, MoveWatchConfig
+from estimator.off_nominal import OffNominal
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation
@@ -34,6 +35,7 @@ class OnlineConfig(Config):
     ledger: LedgerConfig = LedgerConfig()
     watch: WatchConfig = WatchConfig()
     moves: MoveWatchConfig = MoveWatchConfig()
+    off_nominal: OffNominal = OffNominal()
     lens: LensConfig = LensConfig()
     refine: Refine = "none"
 
@@ -63,9 +65,9 @@ class OnlineEstimator:
         self.newest_keyframe: Keyframe | None = None
         self.started = False
         self.moved: frozenset[str] = frozenset()
-        self._ledger = Ledger(rig, self.config.ledger)
+        self._ledger = Ledger(rig, self.config.ledger, self.config.off_nominal)
         self._stamp_ns = 0
-        self._watch = Watch(rig, self.config.watch)
+        self._watch = Watch(rig, self.config.watch, self.config.off_nominal)
         self._moves = MoveWatch(self.config.moves, self.config.window, self.config.ledger.shared_scale_sigma)
 
     def update(self, bundle: FrameBundle) -> Estimate:
@@ -176,12 +178,11 @@ class OnlineEstimator:
         findings = (*self._watch.findings(), *self._moves.findings(), *self._lens_watch.findings)
         missed = {name: tracker.missed_count for name, tracker in self._front_end.trackers.items()}
         cameras = self._ledger.cameras(self.belief, missed, findings, self._lens_watch.lenses)
-        poses = self.path.poses()
         return Estimate(
             self._stamp_ns,
             cameras,
-            poses[-1][1] if self._front_end.metric else None,
-            poses if closing else (),
+            self.path.newest if self._front_end.metric else None,
+            self.path.poses() if closing else (),
             self._front_end.live_tracks_px(),
             matches,
             stopwatch.seconds,

@@ -18,6 +18,11 @@ class Path:
         self._begun = False
         self._guessed = 0  # bundles at the end whose pose nobody measured
 
+    @property
+    def newest(self) -> SE3 | None:
+        """The newest ``world_from_ego``; None before the first."""
+        return self._world_from_egos[-1] if self._world_from_egos else None
+
     def begin(self, stamp_ns: int, world_from_ego: SE3) -> None:
         """Add the place that motion counts from; if none came of the last such place, forget that one."""
         if self._begun:

@@ -10,35 +10,40 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.config import Config
 from estimator.finding import Finding, FindingKind
+from estimator.off_nominal import OffNominal
+from estimator.ranges import AngleRad, Count, Factor, LengthM
 from estimator.rig import Rig
 
 
 class PriorWatchConfig(Config):
     """What the prior of the rig file rules out, and what it takes to believe it all the same."""
 
-    chi2: float = 27.9  # 0.9999 of a chi-square with six degrees of freedom
-    max_rotation_rad: float = 0.26
-    max_translation_m: float = 0.5
-    agreeing_rotation_rad: float = 0.005
-    agreeing_translation_m: float = 0.05
-    agreeing_windows: int = 2
+    chi2: Factor = 27.9  # 0.9999 of a chi-square with six degrees of freedom
+    agreeing_rotation_rad: AngleRad = 0.005
+    agreeing_translation_m: LengthM = 0.05
+    agreeing_windows: Count = 2
 
 
 @dataclass(frozen=True)
 class _Distance:
-    """How far an answer is from the rig file; ``agreed`` counts windows in a row that changed it little."""
+    """How far an answer is from the rig file.
+
+    ``is_beyond`` is for more than can be believed; ``agreed`` counts windows in a row that changed it little.
+    """
 
     rotation_rad: float
     translation_m: float
     chi2: float
+    is_beyond: bool
     agreed: int
 
 
 class PriorWatch:
     """Remembers, for every estimated camera, its distance from the rig file and how steady it is."""
 
-    def __init__(self, rig: Rig, config: PriorWatchConfig) -> None:
+    def __init__(self, rig: Rig, config: PriorWatchConfig, off_nominal: OffNominal) -> None:
         self._rig = rig
+        self._off_nominal = off_nominal
         self._config = config
         self._distances: dict[str, _Distance] = {}
 
@@ -57,6 +62,7 @@ class PriorWatch:
                 float(np.linalg.norm(off[:3])),
                 float(np.linalg.norm(off[3:])),
                 float(off @ information @ off),
+                self._off_nominal.is_beyond(off),
                 agreed,
             )
 
@@ -79,10 +85,7 @@ class PriorWatch:
 
     def _doubt(self, distance: _Distance) -> str:
         config = self._config
-        if (
-            distance.rotation_rad > config.max_rotation_rad
-            or distance.translation_m > config.max_translation_m
-        ):
+        if distance.is_beyond:
             return "too far to be believed"
         if distance.agreed < config.agreeing_windows:
             return "not yet confirmed by other windows"

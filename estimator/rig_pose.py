@@ -15,6 +15,7 @@ import poselib
 from estimator.config import Config
 from estimator.observations import Mask
 from estimator.poselib_terms import focal_of, from_poselib, on_plane_px, pinhole, to_poselib
+from estimator.ranges import PointCount, PositiveCount, Share, SigmaPx
 from estimator.rig import Rig
 from estimator.se3 import SE3, Array
 
@@ -22,11 +23,11 @@ from estimator.se3 import SE3, Array
 class RigPoseConfig(Config):
     """What counts as agreement, and how much of it is enough."""
 
-    max_error_px: float = 1.5
-    loss_px: float = 0.7
-    iterations: int = 200
-    min_inliers: int = 40
-    min_share: float = 0.3
+    max_error_px: SigmaPx = 1.5
+    loss_px: SigmaPx = 0.7
+    iterations: PositiveCount = 200
+    min_inliers: PointCount = 40
+    min_share: Share = 0.3
 
 
 @dataclass(frozen=True, eq=False)

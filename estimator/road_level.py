@@ -7,18 +7,17 @@ from dataclasses import replace
 import numpy as np
 
 from estimator.corridor import in_corridor, road_height_m, road_landmarks
+from estimator.factors import GraphConfig
 from estimator.observations import Mask, Observations
 from estimator.road import MIN_SLOPE, MIN_SUPPORT, densest_scale, road_scale
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
 
 _FINE_BANDWIDTH = 0.012
-_TILT_SIGMA_RAD = 0.01
-_HEIGHT_SIGMA_M = 0.02
 
 
 def level_on_road(
-    scene: Scene, reference: Observations, prior_sigma: float = np.inf
+    scene: Scene, reference: Observations, beliefs: GraphConfig, prior_sigma: float = np.inf
 ) -> tuple[Scene, Mask] | None:
     """Scale and tilt a scene so that the road is the plane z = 0 under a car of known camera height.
 
@@ -29,6 +28,7 @@ def level_on_road(
     Args:
         scene: Poses and landmarks at any scale.
         reference: Sightings by the reference camera.
+        beliefs: How the car stands on the road.
         prior_sigma: Relative standard deviation of the scale the scene already has.
 
     Returns:
@@ -50,7 +50,7 @@ def level_on_road(
     height = points_level[:, 2] * scale + camera_height_m
     near = np.isfinite(height) & (slope > MIN_SLOPE) & (np.abs(height) < 0.1) & in_path
     scaled = _transformed(scene, SE3(), scale)
-    world_from_road = _fit_plane(scaled, scaled.points_world[landmark[near]])
+    world_from_road = _fit_plane(scaled, scaled.points_world[landmark[near]], beliefs)
     levelled = _transformed(scaled, world_from_road.inverse(), 1.0)
     on_road = np.zeros(len(scene.points_world), bool)
     on_road[landmark[near]] = np.abs(road_height_m(levelled, levelled.points_world[landmark[near]])) < 0.08
@@ -95,7 +95,7 @@ def _mean_height_m(scene: Scene) -> float:
     return float(np.mean([(pose @ reference).translation[2] for pose in scene.world_from_egos]))
 
 
-def _fit_plane(scene: Scene, points: Array) -> SE3:
+def _fit_plane(scene: Scene, points: Array, beliefs: GraphConfig) -> SE3:
     """Return the pose of the road: z along its normal, under the first pose of the car, heading kept."""
     first = scene.world_from_egos[0]
     local = first.inverse().apply(points)
@@ -105,7 +105,8 @@ def _fit_plane(scene: Scene, points: Array) -> SE3:
     middle = np.mean([pose.translation[:2] for pose in stance], axis=0)
     design = np.column_stack([np.ones(len(local)), local[:, :2] - middle])
     prior_mean = np.array([height, -ups[0] / ups[2], -ups[1] / ups[2]])
-    prior = np.diag([1 / _HEIGHT_SIGMA_M**2, 1 / _TILT_SIGMA_RAD**2, 1 / _TILT_SIGMA_RAD**2])
+    tilt_rad = beliefs.ride_tilt_sigma_rad
+    prior = np.diag([1 / beliefs.ride_height_sigma_m**2, 1 / tilt_rad**2, 1 / tilt_rad**2])
     plane = prior_mean
     for _ in range(10):
         error = local[:, 2] - design @ plane

@@ -5,11 +5,12 @@ Also the geometry that every later step needs of them: where rays go, where land
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from estimator.clocks import Clocks
+from estimator.corridor_config import CorridorConfig
 from estimator.observations import Index, Mask, Observations
 from estimator.rig import Rig
 from estimator.se3 import SE3, Array
@@ -26,6 +27,7 @@ class Scene:
         points_world: (M, 3) landmarks; NaN where unknown.
         stamps_ns: When each keyframe was; empty where nobody asks how fast the car went.
         clocks: Stamps and clocks that are ahead; None where all cameras look at the same instant.
+        corridor: Where the car drives.
     """
 
     rig: Rig
@@ -33,6 +35,7 @@ class Scene:
     points_world: Array
     stamps_ns: tuple[int, ...] = ()
     clocks: Clocks | None = None
+    corridor: CorridorConfig = field(default_factory=CorridorConfig)
 
     def camera_pose(self, camera: int, keyframe: int) -> SE3:
         """Return ``world_from_cam`` of one camera at one keyframe."""

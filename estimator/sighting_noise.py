@@ -6,6 +6,7 @@ import numpy as np
 
 from estimator.align import Aligned
 from estimator.config import Config
+from estimator.ranges import Factor, SigmaPx
 from estimator.se3 import Array
 
 
@@ -18,10 +19,10 @@ class SightingNoise(Config):
     ``factor`` is for.
     """
 
-    factor: float = 8.0
-    floor_px: float = 0.1
-    ceiling_px: float = 2.0
-    loss_sigmas: float = 0.25
+    factor: Factor = 8.0
+    floor_px: SigmaPx = 0.1
+    ceiling_px: SigmaPx = 2.0
+    loss_sigmas: Factor = 0.25
 
     def sigma_px(self, measured: Aligned) -> Array:
         """Return (N,) the standard deviations to state of aligned sightings; NaN where not aligned."""

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from estimator.belief import Belief
 from estimator.config import Config
 from estimator.estimate import Axes, Status
+from estimator.off_nominal import OffNominal
+from estimator.ranges import AngleRad, Count, LengthM, PositiveCount
 from estimator.rig import Rig
 
 
 class StatusConfig(Config):
     """What it takes to call a camera converged, or lost."""
 
-    rotation_rad: float = 0.002
-    translation_m: float = 0.04
-    min_links: int = 30
-    max_off_nominal_rad: float = 0.26
-    max_off_nominal_m: float = 0.5
-    lost_after_bundles: int = 20
-    min_sightings: int = 20
+    rotation_rad: AngleRad = 0.002
+    translation_m: LengthM = 0.04
+    min_links: Count = 30
+    lost_after_bundles: PositiveCount = 20
+    min_sightings: Count = 20
+
+
+def is_lost(newest_sightings: int, missed_bundles: int, config: StatusConfig) -> bool:
+    """Tell whether a camera gives no evidence any more: no images, or nothing recognised in them."""
+    return missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings
 
 
 def judge(
@@ -31,6 +34,7 @@ def judge(
     missed_bundles: int,
     config: StatusConfig,
     observed: Axes,
+    off_nominal: OffNominal,
 ) -> Status:
     """Return the status of an estimated camera once a window has been solved.
 
@@ -48,8 +52,9 @@ def judge(
         missed_bundles: How many bundles in a row came without its image.
         config: Thresholds.
         observed: Which axes the drive has made observable.
+        off_nominal: The wide limit.
     """
-    if missed_bundles >= config.lost_after_bundles or newest_sightings < config.min_sightings:
+    if is_lost(newest_sightings, missed_bundles, config):
         return Status.LOST
     from_nominal = nominal[name].ego_from_cam.local(belief.rig[name].ego_from_cam)
     sure = (
@@ -57,7 +62,6 @@ def judge(
         and belief.translation_sigma_m(name) < config.translation_m
         and all(observed)
         and links >= config.min_links
-        and float(np.linalg.norm(from_nominal[:3])) < config.max_off_nominal_rad
-        and float(np.linalg.norm(from_nominal[3:])) < config.max_off_nominal_m
+        and not off_nominal.is_beyond(from_nominal)
     )
     return Status.CONVERGED if sure else Status.WEAK

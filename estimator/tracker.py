@@ -5,20 +5,17 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from estimator.ahead import is_ahead
 from estimator.bundle import Image
 from estimator.camera import Camera
 from estimator.config import Config
 from estimator.detect import DetectConfig, detect_corners
 from estimator.flow import FlowConfig, follow
+from estimator.ranges import AngleRad, Count, LengthM, PositiveCount, SizeOrNonePx
 from estimator.se3 import SE3, Array
 from estimator.track_table import TrackTable
 
 _FAR_M = 15.0  # the distance assumed of a point that has none yet and does not look at the road
-
-
-def _ahead(rays_cam: Array) -> npt.NDArray[np.bool_]:
-    """Tell which rays lie within 80 deg of the optical axis: beyond, the normalised plane is no use."""
-    return np.asarray(rays_cam[:, 2] > 0.17)  # false for NaN
 
 
 class TrackerConfig(Config):
@@ -30,12 +27,12 @@ class TrackerConfig(Config):
 
     detect: DetectConfig = DetectConfig()
     flow: FlowConfig = FlowConfig()
-    max_points: int = 220
-    max_travel_m: float = 12.0
-    min_parallax_rad: float = 0.012
-    static_px: float = 0.4
-    bridged_images: int = 4
-    max_strikes: int = 3
+    max_points: PositiveCount = 220
+    max_travel_m: LengthM = 12.0
+    min_parallax_rad: AngleRad = 0.012
+    static_px: SizeOrNonePx = 0.4
+    bridged_images: Count = 4
+    max_strikes: PositiveCount = 3
 
 
 class Tracker:
@@ -58,7 +55,7 @@ class Tracker:
             tracks.previous_pixels, tracks.pixels = tracks.pixels, moved
             tracks.keep(good)
             tracks.rays_cam = self.camera.unproject(tracks.pixels)
-            tracks.keep(_ahead(tracks.rays_cam))
+            tracks.keep(is_ahead(tracks.rays_cam))
         self.image = image
         self.missed_count = 0
 
@@ -85,7 +82,7 @@ class Tracker:
             return
         pixels = detect_corners(self.image, self.tracks.pixels, room, self.config.detect)
         rays = self.camera.unproject(pixels)
-        usable = _ahead(rays)
+        usable = is_ahead(rays)
         self.tracks.start(pixels[usable], rays[usable])
 
     def locate(self, world_from_cam: SE3) -> None:

@@ -14,8 +14,10 @@ from estimator.image_watch import ImageWatch, ImageWatchConfig
 from estimator.keyframe import Keyframe
 from estimator.motion_watch import MotionWatch, MotionWatchConfig
 from estimator.mount_watch import MountWatch, MountWatchConfig
+from estimator.off_nominal import OffNominal
 from estimator.prior_watch import PriorWatch, PriorWatchConfig
 from estimator.rig import Rig
+from estimator.stamp_watch import StampWatch, StampWatchConfig
 from estimator.window_result import WindowResult
 
 
@@ -23,6 +25,7 @@ class WatchConfig(Config):
     """Settings of all that is watched."""
 
     image: ImageWatchConfig = ImageWatchConfig()
+    stamps: StampWatchConfig = StampWatchConfig()
     motion: MotionWatchConfig = MotionWatchConfig()
     mount: MountWatchConfig = MountWatchConfig()
     common: CommonViewConfig = CommonViewConfig()
@@ -32,13 +35,14 @@ class WatchConfig(Config):
 class Watch:
     """Sees every bundle and every window, and says what is wrong while it is."""
 
-    def __init__(self, rig: Rig, config: WatchConfig) -> None:
+    def __init__(self, rig: Rig, config: WatchConfig, off_nominal: OffNominal) -> None:
         self._reference = rig.reference
         self._images = ImageWatch(rig, config.image)
+        self._stamps = StampWatch(rig, config.stamps)
         self._motion = MotionWatch(config.motion)
         self._mounts = MountWatch(rig, config.mount)
         self._common = CommonViewWatch(rig, config.common)
-        self._prior = PriorWatch(rig, config.prior)
+        self._prior = PriorWatch(rig, config.prior, off_nominal)
         self._stamp_ns: int | None = None
 
     def admit(self, bundle: FrameBundle) -> FrameBundle | None:
@@ -50,8 +54,10 @@ class Watch:
 
     def see_bundle(self, bundle: FrameBundle, front_end: FrontEnd) -> None:
         """Take note of a bundle that the front end has followed."""
-        self._images.see(bundle, {name: len(t.tracks) for name, t in front_end.trackers.items()})
-        self._motion.see(bundle.stamp_ns, front_end)
+        corner_count = {name: len(t.tracks) for name, t in front_end.trackers.items()}
+        self._images.see(bundle, corner_count, front_end.repeats.names)
+        self._motion.see(bundle, front_end)
+        self._stamps.see(bundle)
 
     def see_window(self, keyframes: Sequence[Keyframe], before: Belief, result: WindowResult | None) -> None:
         """Take note of a window, of what was believed before it, and of what it taught, if anything."""
@@ -64,6 +70,7 @@ class Watch:
         """Return what holds now."""
         return (
             *self._images.findings(),
+            *self._stamps.findings(),
             *self._motion.findings(self._reference),
             *self._mounts.findings(),
             *self._common.findings(),

@@ -48,7 +48,7 @@ class WindowCalibration:
         self.stamps_ns = [keyframe.stamp_ns for keyframe in keyframes]
         # The path has the size of the rig that the cameras were tracked with, less what it drifted since.
         self.scale_sigma = float(np.hypot(config.scale_drift, belief.scale_sigma())) if metric else np.inf
-        self.state = WindowState(keyframes, belief, config.track_sigma_px, start)
+        self.state = WindowState(keyframes, belief, config.track_sigma_px, config.corridor, start)
         self.unsure = start is None and self.state.is_unsure(config.unsure_rad)
 
     def run(self) -> WindowResult | None:
@@ -80,7 +80,7 @@ class WindowCalibration:
         with self.stopwatch.stage("motion"):
             seen = state.believable(state.tracks.select(state.tracks.camera == state.reference), 8.0)
             for _ in range(2):
-                levelled = level_on_road(state.scene, seen, self.scale_sigma)
+                levelled = level_on_road(state.scene, seen, self.config.graph, self.scale_sigma)
                 on_road = np.zeros(len(state.scene.points_world), bool)
                 if levelled is not None:
                     state.scene, on_road = levelled

@@ -9,16 +9,17 @@ import numpy as np
 from estimator.config import Config
 from estimator.keyframe import Keyframe
 from estimator.odometry import Odometry
+from estimator.ranges import AngleRad, KeyframeCount, LengthM
 
 
 class PaceConfig(Config):
     """Keyframes every metre; ten to a window, fewer to the first, so that there is an answer soon."""
 
-    spacing_m: float = 1.0
-    turn_rad: float = 0.2
-    keyframes: int = 10
-    first_keyframes: int = 9
-    min_keyframes: int = 5
+    spacing_m: LengthM = 1.0
+    turn_rad: AngleRad = 0.2
+    keyframes: KeyframeCount = 10
+    first_keyframes: KeyframeCount = 9
+    min_keyframes: KeyframeCount = 5
 
 
 def is_keyframe(keyframes: Sequence[Keyframe], odometry: Odometry, config: PaceConfig) -> bool:

@@ -12,6 +12,7 @@ from estimator.config import Config
 from estimator.estimate import Match
 from estimator.matches import cross_camera_matches
 from estimator.observations import Mask, Observations
+from estimator.ranges import PositiveCount, Share, SizePx
 from estimator.scale import ScaleInformation
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
@@ -23,10 +24,10 @@ class ResultConfig(Config):
     A scene gone astray explains some sightings very well: those that it was left with.
     """
 
-    inlier_px: float = 1.5
-    min_inliers: int = 150
-    max_median_px: float = 0.7
-    min_share: float = 0.35  # of what the tracks saw
+    inlier_px: SizePx = 1.5
+    min_inliers: PositiveCount = 150
+    max_median_px: SizePx = 0.7
+    min_share: Share = 0.35  # of what the tracks saw
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,6 +12,7 @@ from estimator.belief import Belief
 from estimator.bundle import Image
 from estimator.clocks import Clocks
 from estimator.corridor import road_landmarks
+from estimator.corridor_config import CorridorConfig
 from estimator.factors import GraphConfig
 from estimator.graph import adjust
 from estimator.keyframe import Keyframe, gather_observations
@@ -36,7 +37,12 @@ class WindowState:
     """
 
     def __init__(
-        self, keyframes: Sequence[Keyframe], belief: Belief, track_sigma_px: float, start: Rig | None = None
+        self,
+        keyframes: Sequence[Keyframe],
+        belief: Belief,
+        track_sigma_px: float,
+        corridor: CorridorConfig,
+        start: Rig | None = None,
     ) -> None:
         rig = start or belief.rig
         names = list(rig.cameras)
@@ -53,7 +59,7 @@ class WindowState:
         stamps_ns = tuple(keyframe.stamp_ns for keyframe in keyframes)
         ahead_s = tuple(belief.ahead_s.get(name, 0.0) for name in names)
         clocks = Clocks(stamps_ns, ahead_s) if any(ahead_s) else None
-        self.scene = Scene(rig, poses, unknown, stamps_ns, clocks)
+        self.scene = Scene(rig, poses, unknown, stamps_ns, clocks, corridor)
         self.triangulate_unknown()
 
     def is_unsure(self, sigma_rad: float) -> bool:

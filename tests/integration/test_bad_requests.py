@@ -35,6 +35,10 @@ RIGTRUE = (sys.executable, "-c", "from eval.cli import main; main()")
         ("report .", "is no run folder, wanted one that holds scores.json"),
         ("replay none --rig {rig}", "none: no such recording"),
         ("run first_drive --set estimator.refin=none", "--set estimator.refin: unknown key; there are: "),
+        (
+            "run first_drive --set estimator.front_end.tracker.flow.window_px=2",
+            "--set estimator.front_end.tracker.flow.window_px: got 2, wanted 3 to 101",
+        ),
         ("replay none --rig {rig} --set drive.speed_mps=3", "--set drive.speed_mps=3: a recording is as it"),
         ("replay . --rig none.yaml", "none.yaml: no such rig file"),
         ("sweep nope", "sweep 'nope' is not known; there are: "),

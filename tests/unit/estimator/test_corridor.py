@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from estimator.corridor import in_corridor, low_landmarks, road_landmarks, seen_from_near
+from estimator.corridor_config import CorridorConfig
 from tests.known_scene import known_scene, on_road, sightings
 from tests.mounts import arc, left_side_rig
 
@@ -25,6 +26,12 @@ def test_the_corridor_ends_shortly_before_and_after_the_path() -> None:
     ahead = SCENE.world_from_egos[5].apply(np.array([[4.0, 0.0, 0.0], [6.0, 0.0, 0.0]]))
     behind = np.array([[-4.0, 0.0, 0.0], [-6.0, 0.0, 0.0]])
     assert in_corridor(SCENE, np.vstack([ahead, behind])).tolist() == [True, False, True, False]
+
+
+def test_the_corridor_is_as_wide_and_long_as_the_car_is_said_to_be() -> None:
+    lorry = replace(SCENE, corridor=CorridorConfig(half_width_m=2.5, beyond_ends_m=8.0, middle_m=3.0))
+    ahead = SCENE.world_from_egos[5].apply(np.array([[0.0, 2.0, 0.0], [7.0, 0.0, 0.0]]))
+    assert in_corridor(lorry, ahead).all() and not in_corridor(SCENE, ahead).any()
 
 
 def test_an_unknown_point_is_not_in_the_corridor() -> None:

@@ -53,5 +53,5 @@ def test_tracks_that_wait_are_neither_shown_nor_kept_in_a_keyframe() -> None:
     missed(front, "none", bundles=2)
     images = {name: image for name, image in front.keyframe().images.items() if name != "rear"}
     front.advance(FrameBundle(2, images), Stopwatch())
-    assert len(front.trackers["rear"].ids) > 0
+    assert len(front.trackers["rear"].tracks) > 0
     assert len(front.live_tracks_px()["rear"]) == 0 and "rear" not in front.keyframe().tracks

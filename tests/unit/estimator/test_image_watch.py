@@ -10,6 +10,7 @@ import pytest
 from estimator.bundle import FrameBundle, Image
 from estimator.finding import Finding, FindingKind
 from estimator.image_watch import ImageWatch, ImageWatchConfig
+from estimator.repeats import Repeats
 from tests.canyon import noise_image
 from tests.mounts import left_side_rig
 
@@ -28,6 +29,7 @@ class Drive:
 
     def __init__(self) -> None:
         self.watch = ImageWatch(RIG, ImageWatchConfig())
+        self._repeats = Repeats()
         self._count = 0
 
     def see(
@@ -37,7 +39,9 @@ class Drive:
             self._count += 1
             images = {name: scene(self._count % 7) for name in NAMES} | dict(other)
             given = {name: image for name, image in images.items() if image is not None}
-            self.watch.see(self.watch.usable(FrameBundle(self._count, given)), corners)
+            usable = self.watch.usable(FrameBundle(self._count, given))
+            self._repeats.see(usable)
+            self.watch.see(usable, corners, self._repeats.names)
         return list(self.watch.findings())
 
 
@@ -96,3 +100,21 @@ def test_black_frames_now_and_then_are_no_finding() -> None:
     for _ in range(BEGINS):
         drive.see(2, {"front": flat}, MANY | {"front": 0})
         assert drive.see(ENDS, {}) == []
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_images_lost_at_random_are_no_finding(seed: int) -> None:
+    drive, rng = Drive(), np.random.default_rng(seed)
+    for _ in range(100):
+        lost = {name: None for name in NAMES if rng.random() < 0.3}
+        assert drive.see(1, lost) == []
+
+
+def test_a_spell_counts_only_the_bundles_without_an_image() -> None:
+    drive = Drive()
+    drive.see(BEGINS - 2, {"left_rear": None})
+    drive.see(1, {})
+    drive.see(BEGINS, {"left_rear": None})
+    drive.see(ENDS - 1, {})
+    (finding,) = drive.see(1, {"left_rear": None})
+    assert f"for {BEGINS + 1} bundles" in finding.about

@@ -10,6 +10,7 @@ from estimator.belief import Belief
 from estimator.estimate import Status
 from estimator.finding import Finding, FindingKind
 from estimator.ledger import Ledger, LedgerConfig
+from estimator.off_nominal import OffNominal
 from estimator.window_result import ResultConfig, WindowResult, conclude
 from tests.known_scene import known_scene, sightings
 from tests.mounts import arc, left_side_rig
@@ -35,15 +36,15 @@ def statuses(ledger: Ledger, *findings: Finding, missed: dict[str, int] = NOBODY
 
 
 def filled() -> Ledger:
-    ledger = Ledger(RIG, LedgerConfig())
+    ledger = Ledger(RIG, LedgerConfig(), OffNominal())
     ledger.add(window())
     return ledger
 
 
 def test_before_the_first_window_nothing_is_known_and_nothing_is_added_to_the_prior() -> None:
-    ledger = Ledger(RIG, LedgerConfig())
+    ledger = Ledger(RIG, LedgerConfig(), OffNominal())
     assert ledger.is_empty and ledger.scale() is None
-    assert statuses(ledger)["left_rear"] is Status.INITIALISING
+    assert statuses(ledger) == dict.fromkeys(RIG.cameras, Status.INITIALISING)
     cameras = ledger.cameras(SURE, NOBODY_MISSED, (), {})
     np.testing.assert_array_equal(cameras["left_rear"].covariance, SURE.camera_covariance("left_rear"))
 
@@ -71,6 +72,13 @@ def test_a_wrong_lens_makes_its_neighbours_weak_until_it_is_corrected() -> None:
 def test_a_camera_that_went_silent_is_lost_whatever_was_noticed() -> None:
     missed = NOBODY_MISSED | {"left_rear": 50}
     assert statuses(filled(), SWAPPED, missed=missed)["left_rear"] is Status.LOST
+
+
+def test_a_reference_that_went_silent_is_lost_like_any_other() -> None:
+    missed = NOBODY_MISSED | {"front": 50}
+    assert statuses(filled(), missed=missed) == dict.fromkeys(RIG.cameras, Status.CONVERGED) | {
+        "front": Status.LOST
+    }
 
 
 def test_sightings_add_up_over_windows() -> None:

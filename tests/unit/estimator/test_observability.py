@@ -13,6 +13,7 @@ from estimator.factors import GraphConfig
 from estimator.graph import adjust
 from estimator.loss import Loss
 from estimator.observability import ObservabilityConfig, observed_axes, weak_words
+from estimator.off_nominal import OffNominal
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
 from tests.known_scene import known_scene, on_road, sightings
@@ -47,7 +48,7 @@ def weak_in(belief: Belief, name: str) -> tuple[str, ...]:
 
 def status(belief: Belief, name: str) -> Status:
     observed = observed_axes(belief.camera_covariance(name), PRIOR, CONFIG)
-    return judge(name, belief, RIG, 500, 500, 0, StatusConfig(), observed)
+    return judge(name, belief, RIG, 500, 500, 0, StatusConfig(), observed, OffNominal())
 
 
 @pytest.mark.parametrize("name", RIG.estimated_names)

@@ -32,6 +32,11 @@ def test_a_start_from_which_no_motion_was_found_is_forgotten() -> None:
     assert [stamp_ns for stamp_ns, _ in path.poses()] == [3, 4, 9]
 
 
+def test_the_newest_pose_is_the_last_one() -> None:
+    assert Path().newest is None
+    assert path_of(OLD).newest is OLD[-1]
+
+
 def test_guessed_bundles_lie_evenly_on_the_way_between_measured_ones() -> None:
     path = path_of(OLD[:2])
     for stamp_ns in (2, 3, 4):

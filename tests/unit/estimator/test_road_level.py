@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from estimator.factors import GraphConfig
 from estimator.road_level import level_on_road, rescale_on_road
 from estimator.scene import Scene
 from estimator.se3 import SE3
@@ -42,28 +43,37 @@ def path_m(scene: Scene) -> float:
 
 @pytest.mark.parametrize("scale", [0.5, 1.0, 3.0])
 def test_a_scene_of_any_size_is_brought_to_metres(scale: float) -> None:
-    result = level_on_road(scaled(SCENE, scale), SEEN)
+    result = level_on_road(scaled(SCENE, scale), SEEN, GraphConfig())
     assert result is not None
     assert abs(path_m(result[0]) / path_m(SCENE) - 1) < 0.005
     assert result[0].rig is SCENE.rig
 
 
 def test_a_tilted_scene_is_brought_level() -> None:
-    result = level_on_road(tilted(SCENE, 0.02), SEEN)
+    result = level_on_road(tilted(SCENE, 0.02), SEEN, GraphConfig())
     assert result is not None
     for pose, true in zip(result[0].world_from_egos, SCENE.world_from_egos, strict=True):
         np.testing.assert_allclose(pose.rotation[:, 2], true.rotation[:, 2], atol=0.002)
         assert abs(pose.translation[2]) < 0.02
 
 
+def test_a_stance_that_is_known_for_sure_leaves_the_car_as_it_stands() -> None:
+    sure = GraphConfig(ride_height_sigma_m=1e-5, ride_tilt_sigma_rad=1e-5)
+    nodding = replace(SCENE, points_world=tilted(SCENE, 0.02).points_world)  # under a level car
+    free, held = (level_on_road(nodding, SEEN, beliefs) for beliefs in (GraphConfig(), sure))
+    assert free is not None and held is not None
+    pitch = [np.arcsin(result[0].world_from_egos[0].rotation[2, 0]) for result in (free, held)]
+    assert abs(pitch[1]) < 1e-3 < 0.01 < abs(pitch[0] - pitch[1])
+
+
 def test_levelling_changes_no_sighting() -> None:
-    result = level_on_road(scaled(tilted(SCENE, 0.02), 0.5), SEEN)
+    result = level_on_road(scaled(tilted(SCENE, 0.02), 0.5), SEEN, GraphConfig())
     assert result is not None
     np.testing.assert_allclose(result[0].residuals_px(SEEN), 0, atol=1e-6)
 
 
 def test_the_landmarks_on_the_road_are_told() -> None:
-    result = level_on_road(scaled(SCENE, 0.5), SEEN)
+    result = level_on_road(scaled(SCENE, 0.5), SEEN, GraphConfig())
     assert result is not None
     assert result[1].sum() > 20
     assert np.mean(on_road(SCENE)[result[1]]) > 0.95
@@ -71,7 +81,7 @@ def test_the_landmarks_on_the_road_are_told() -> None:
 
 def test_without_a_road_the_scene_cannot_be_levelled() -> None:
     high = SEEN.select(SCENE.points_world[SEEN.landmark, 2] > 1.5)
-    assert level_on_road(SCENE, high) is None
+    assert level_on_road(SCENE, high, GraphConfig()) is None
 
 
 def with_rig_scaled(scene: Scene, scale: float) -> Scene:

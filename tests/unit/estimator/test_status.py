@@ -8,6 +8,7 @@ import pytest
 from estimator.belief import Belief
 from estimator.camera import Camera
 from estimator.estimate import ALL_AXES, Axes, Status
+from estimator.off_nominal import OffNominal
 from estimator.rig import MountedCamera, Rig
 from estimator.se3 import SE3
 from estimator.status import StatusConfig, judge
@@ -27,7 +28,9 @@ def status(
 ) -> Status:
     moved = SE3(np.eye(3), np.array([moved_m, 0.0, 0.0]))
     belief = Belief(NOMINAL.with_extrinsics({"rear": moved}), sigma**2 * np.eye(6))
-    return judge("rear", belief, NOMINAL, links, newest, missed_bundles, StatusConfig(), observed)
+    return judge(
+        "rear", belief, NOMINAL, links, newest, missed_bundles, StatusConfig(), observed, OffNominal()
+    )
 
 
 def test_a_sure_linked_camera_near_its_prior_has_converged() -> None:

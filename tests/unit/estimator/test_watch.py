@@ -11,6 +11,7 @@ from estimator.bundle import FrameBundle
 from estimator.common_view import CommonViewConfig, CommonViewWatch
 from estimator.estimate import Match
 from estimator.finding import Finding, FindingKind
+from estimator.off_nominal import OffNominal
 from estimator.prior_watch import PriorWatch, PriorWatchConfig
 from estimator.rig import Rig, RigPrior
 from estimator.road import densest_scale
@@ -37,7 +38,7 @@ def moved(degrees: float, metres: float) -> Belief:
 
 
 def after_windows(*beliefs: Belief) -> list[Finding]:
-    watch = PriorWatch(RIG, PriorWatchConfig())
+    watch = PriorWatch(RIG, PriorWatchConfig(), OffNominal())
     before = Belief.nominal(RIG)
     for belief in beliefs:
         watch.see(before, belief)
@@ -92,7 +93,7 @@ def test_a_doubtful_reference_puts_every_camera_in_doubt() -> None:
 
 
 def test_a_bundle_that_is_not_newer_is_not_admitted() -> None:
-    watch = Watch(RIG, WatchConfig())
+    watch = Watch(RIG, WatchConfig(), OffNominal())
     assert watch.admit(FrameBundle(5, {})) is not None
     assert watch.admit(FrameBundle(5, {})) is None and watch.admit(FrameBundle(4, {})) is None
     assert watch.admit(FrameBundle(6, {})) is not None

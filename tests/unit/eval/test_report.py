@@ -61,6 +61,11 @@ def test_a_lost_camera_is_not_called_found_and_its_number_is_unknown():
     assert "unknown" in text
 
 
+def test_a_lost_reference_is_marked_like_any_other():
+    text = page(bare_log(estimates(SE3(), np.eye(6))), None)
+    assert text.count('class="pill lost"') == len(RIG.cameras)
+
+
 def test_a_rig_of_the_reference_alone_has_a_page():
     alone = Rig("front", {"front": RIG["front"]})
     assert "no camera but the reference" in page(bare_log({}, alone), None)

@@ -1,0 +1,20 @@
+"""The size of the car, as far as it tells where road is."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from estimator.config import Config
+from estimator.ranges import LengthM, LengthOrNoneM
+
+
+class CorridorConfig(Config):
+    """Where a car drives there is road: so far to each side, so far before and behind its middle.
+
+    The middle is that of the wheelbase, so far ahead of the rear axle: between its wheels a car knows the
+    road best.
+    """
+
+    half_width_m: LengthM = 1.4
+    beyond_ends_m: LengthOrNoneM = 5.0
+    middle_m: float = Field(1.35, ge=-20, le=20)
