@@ -16,6 +16,7 @@ from estimator import move_findings as say
 from estimator.belief import Belief
 from estimator.config import Config
 from estimator.finding import Finding
+from estimator.ranges import SigmaM, SigmaRad
 from estimator.se3 import Array
 from estimator.window_again import adjust_again
 from estimator.window_config import WindowConfig
@@ -29,8 +30,8 @@ class MoveWatchConfig(Config):
     """
 
     chi2: float = Field(27.9, gt=0, le=1e6)
-    alone_rotation_rad: float = Field(0.02, gt=0, le=1)  # a sigma for each axis
-    alone_translation_m: float = Field(0.05, gt=0, le=10)
+    alone_rotation_rad: SigmaRad = 0.02  # a sigma for each axis
+    alone_translation_m: SigmaM = 0.05
 
     def camera_covariance(self) -> Array:
         """Return the (6, 6) covariance of a camera of which next to nothing is known."""
