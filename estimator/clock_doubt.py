@@ -106,7 +106,8 @@ def shift_by_clock(evidence: Evidence, usual: UsualErrors) -> Array:
     unknowns = Unknowns(evidence.nominal)
     size, everyone = unknowns.pose_size, frozenset(unknowns.names)
     information = evidence.information(usual, Free(frozenset(), everyone))
-    return -np.linalg.solve(information[:size, :size], information[:size, _clocks(unknowns)])
+    to_clocks = information[:size, _clocks(unknowns)]
+    return np.asarray(-np.linalg.solve(information[:size, :size], to_clocks), float)
 
 
 def _wary_posterior(evidence: Evidence, usual: UsualErrors) -> Posterior:

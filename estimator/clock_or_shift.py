@@ -9,7 +9,7 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.clock_doubt import ClockDoubt, shift_by_clock
 from estimator.config import Config
-from estimator.evidence import Evidence, UsualErrors
+from estimator.evidence import Evidence, Free, UsualErrors
 from estimator.finding import Finding, FindingKind
 from estimator.se3 import Array
 from estimator.unknowns import Unknowns
@@ -26,37 +26,39 @@ class ClockOrShiftConfig(Config):
 
 
 def late_or_shifted(
-    evidence: Evidence, belief: Belief, doubt: ClockDoubt, usual: UsualErrors, config: ClockOrShiftConfig
+    evidence: Evidence, doubt: ClockDoubt, broad_s: float, usual: UsualErrors, config: ClockOrShiftConfig
 ) -> tuple[Finding, ...]:
     """Return a finding for every camera that is far along the way from where the rig file has it.
 
     Args:
         evidence: Of all windows.
-        belief: What it says of poses with clocks held as right.
-        doubt: What clocks leave open; once they leave less than would explain the shift, nothing is told.
+        doubt: What clocks leave open; once that is less than would explain the shift, nothing is told.
+        broad_s: The prior on clocks that ``doubt.hidden`` still holds.
         usual: How far lenses and clocks may be off.
         config: Thresholds.
     """
-    if not evidence.window_count:
+    if not evidence.window_count or not doubt.hidden.any():
         return ()
-    return tuple(_found(evidence, belief, doubt, shift_by_clock(evidence, usual), config))
+    return tuple(_found(evidence, doubt, broad_s, usual, config))
 
 
 def _found(
-    evidence: Evidence, belief: Belief, doubt: ClockDoubt, response: Array, config: ClockOrShiftConfig
+    evidence: Evidence, doubt: ClockDoubt, broad_s: float, usual: UsualErrors, config: ClockOrShiftConfig
 ) -> Iterator[Finding]:
     nominal, unknowns = evidence.nominal, Unknowns(evidence.nominal)
-    prior = Belief.nominal(nominal)
+    prior, response = Belief.nominal(nominal), shift_by_clock(evidence, usual)
+    in_time = evidence.posterior(usual, Free(frozenset(unknowns.names), frozenset())).mean
     for name in unknowns.estimated:
         camera = unknowns.names.index(name)
-        velocity = response[unknowns.extrinsics(camera), camera][3:]
+        block = unknowns.extrinsics(camera)
+        velocity = response[block, camera][3:]
         speed_mps = max(float(np.linalg.norm(velocity)), 1e-6)
         way = velocity / speed_mps
-        shift_m = float(nominal[name].ego_from_cam.local(belief.rig[name].ego_from_cam)[3:] @ way)
-        prior_m = float(np.sqrt(way @ prior.camera_covariance(name)[3:, 3:] @ way))
-        open_m = float(np.sqrt(way @ doubt.hidden_of(name, nominal)[3:, 3:] @ way))
+        shift_m = float(in_time[block][3:] @ way)
+        prior_m = np.sqrt(_variance(way, prior.camera_covariance(name)))
+        shown = 1 / _variance(way, doubt.hidden_of(name, nominal)) - 1 / (broad_s * speed_mps) ** 2
+        is_open = shift_m**2 * shown < config.sigmas**2
         ahead_s, sigmas = -shift_m / speed_mps, abs(shift_m) / prior_m
-        is_open = abs(shift_m) < config.sigmas * open_m
         if is_open and sigmas > config.sigmas and abs(ahead_s) > config.clock_s:
             further, side = ("back", "ahead of") if ahead_s > 0 else ("on", "behind")
             about = (
@@ -65,3 +67,8 @@ def _found(
                 f"{nominal.reference} would look the same, until the car turns or changes speed"
             )
             yield Finding(FindingKind.CLOCK_OFFSET, (name,), about)
+
+
+def _variance(way: Array, covariance: Array) -> float:
+    """Return the variance of a (6, 6) covariance along a (3,) direction of its translation."""
+    return max(float(way @ covariance[3:, 3:] @ way), 1e-20)

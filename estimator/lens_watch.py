@@ -83,10 +83,9 @@ class LensWatch:
             self._evidence = self._settled(scene, seen)
         except (RuntimeError, np.linalg.LinAlgError):  # no solution: what was known before stays
             return
-        self.findings = tuple(map(self._as_told, self._accuse(self._evidence, self.config.accuse)))
         self.belief = belief_from(self._evidence, self.config.usual, self._free(self._evidence))
         self.doubt = self._doubt()
-        self.findings += self._late_or_shifted()
+        self.findings = self._findings()
         if self._refines_lenses:
             self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
 
@@ -116,18 +115,22 @@ class LensWatch:
     def _refines_clocks(self) -> bool:
         return self.refine in ("clocks", "both")
 
+    def _findings(self) -> tuple[Finding, ...]:
+        """Return accusations; where only the rig file's prior speaks against a clock, both explanations."""
+        config, evidence = self.config, self._evidence
+        either = late_or_shifted(
+            evidence, self.doubt, config.doubt.broad_s, config.usual, config.late_or_shifted
+        )
+        unclear = {finding.cameras for finding in either}
+        accused = map(self._as_told, self._accuse(evidence, config.accuse))
+        clear = (f for f in accused if f.kind is not FindingKind.CLOCK_OFFSET or f.cameras not in unclear)
+        return (*clear, *either)
+
     def _doubt(self) -> ClockDoubt:
         if self.config.clocks_in_step:
             return ClockDoubt.none(self._evidence.nominal)
         corrected = self._free(self._evidence).clocks if self._refines_clocks else frozenset[str]()
         return clock_doubt(self._evidence, self.config.usual, self.config.doubt, corrected)
-
-    def _late_or_shifted(self) -> tuple[Finding, ...]:
-        """Return findings on clocks that are not accused yet."""
-        limits = self.config.late_or_shifted
-        found = late_or_shifted(self._evidence, self.belief, self.doubt, self.config.usual, limits)
-        accused = {f.cameras for f in self.findings if f.kind is FindingKind.CLOCK_OFFSET}
-        return tuple(finding for finding in found if finding.cameras not in accused)
 
     def _settled(self, scene: Scene, seen: Observations) -> Evidence:
         """Return all evidence, the window's at lenses and clocks that it no longer changes."""

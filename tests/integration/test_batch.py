@@ -9,13 +9,13 @@ from estimator.batch import BatchConfig, BatchEstimator
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
-from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
+from tests.canyon_drive import IN_STEP, NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
 from tests.mounts import worst_error
 
 
 def drive(bundles: list[FrameBundle], config: BatchConfig | None = None) -> Estimate:
     """Return the last answer."""
-    estimator = BatchEstimator(NOMINAL, config)
+    estimator = BatchEstimator(NOMINAL, config or BatchConfig(online=IN_STEP))
     for bundle in bundles:
         estimator.update(bundle)
     return estimator.close()
