@@ -70,3 +70,13 @@ def test_a_standing_car_learns_nothing_and_says_so(bundles: list[FrameBundle]) -
 
 def test_no_bundles_are_no_error() -> None:
     assert drive([]).cameras["left_rear"].status is Status.INITIALISING
+
+
+def test_a_refined_drive_is_as_unsure_as_its_lenses(bundles: list[FrameBundle]) -> None:
+    refining = IN_STEP.model_copy(update={"refine": "intrinsics"})
+    online = OnlineEstimator(NOMINAL, refining)
+    for bundle in bundles:
+        online.update(bundle)
+    expected, got = online.close(), drive(bundles, BatchConfig(online=refining))
+    for name in NOMINAL.estimated_names:
+        np.testing.assert_allclose(got.cameras[name].sigma, expected.cameras[name].sigma, rtol=0.02)
