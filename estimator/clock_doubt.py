@@ -121,8 +121,8 @@ def _chance_of_being_off(off: Array, spread: Array, usual: UsualErrors, config: 
 
     By how much likelier the evidence makes zero than it was before (Savage and Dickey).
     """
-    variance = np.diag(spread)
-    surprise = np.minimum(0.5 * off**2 / np.maximum(variance, 1e-20), 100.0)
+    variance = np.maximum(np.diag(spread), 1e-20)
+    surprise = np.minimum(0.5 * off**2 / variance, 100.0)
     odds = np.sqrt(variance) / usual.clock_s * np.exp(surprise)
     odds *= config.off_share / (1 - config.off_share)
     return np.asarray(odds / (1 + odds))
