@@ -51,6 +51,7 @@ class BatchEstimator:
     def __init__(self, rig: Rig, config: BatchConfig | None = None) -> None:
         self.config = config or BatchConfig()
         refine = self.config.online.refine if self.config.refine == "none" else self.config.refine
+        self._refines = refine != "none"
         self._online = OnlineEstimator(rig, self.config.online.model_copy(update={"refine": refine}))
         self._belief = Belief.nominal(rig)
         self._scale_information: ScaleInformation = {}
@@ -78,7 +79,12 @@ class BatchEstimator:
         self._adjust_segment()
         if not self._has_learnt:
             return answer
-        return self._online.final_answer(self._belief, self._scale_information)
+        belief = self._belief
+        if (
+            self._refines
+        ):  # segments take lenses and clocks as refined, and would not know how unsure those are
+            belief = replace(belief, covariance=self._online.belief.covariance)
+        return self._online.final_answer(belief, self._scale_information)
 
     def _forget(self, moved: frozenset[str]) -> None:
         """Begin anew for cameras that moved: a segment knows one place for each."""

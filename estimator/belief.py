@@ -73,8 +73,11 @@ class Belief:
         along the line from the reference camera to it.
         """
         direction = self._along_scale()
-        wider = self.covariance + scale_sigma**2 * np.outer(direction, direction)
-        return replace(self, covariance=wider)
+        return self.widened(scale_sigma**2 * np.outer(direction, direction))
+
+    def widened(self, by: Array) -> Belief:
+        """Return the belief with a (6 C, 6 C) covariance added."""
+        return replace(self, covariance=self.covariance + by)
 
     def forgetting(self, names: Collection[str], camera_covariance: Array) -> Belief:
         """Return the belief with next to nothing known of some cameras but where they were.

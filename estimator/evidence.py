@@ -138,16 +138,22 @@ class Evidence:
             free: Those that are in doubt; the others count as right. None: all are.
         """
         prior = prior_information(self.nominal, usual, free)
-        size = len(self.vector)
-        noise = max(
-            float(np.trace(np.linalg.lstsq(self.hessian, self.scatter, rcond=1e-12)[0])) / size, 1e-12
-        )
+        noise, size = self._noise(), len(self.vector)
         gain = np.linalg.inv(self.hessian / noise + prior)
         mean = gain @ (self.vector / noise)
         covariance = gain @ (self.scatter / noise**2 + prior) @ gain
         misfit = self.depth - 2 * float(self.vector @ mean) + float(mean @ self.hessian @ mean)
         freedom = max(self.window_count - 1, 1) * size
         return Posterior(mean, covariance, misfit / noise / freedom)
+
+    def information(self, usual: UsualErrors, free: Free | None = None) -> Array:
+        """Return the (D, D) information of the evidence and of the prior that ``posterior`` takes."""
+        return self.hessian / self._noise() + prior_information(self.nominal, usual, free)
+
+    def _noise(self) -> float:
+        """Return the variance of landmarks' scores in units of what the Hessian says."""
+        ratio = np.linalg.lstsq(self.hessian, self.scatter, rcond=1e-12)[0]
+        return max(float(np.trace(ratio)) / len(self.vector), 1e-12)
 
 
 def differences(nominal: Rig, scene: Scene) -> Array:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from estimator.belief import Belief
 from estimator.camera import Camera
+from estimator.clock_doubt import ClockDoubt
 from estimator.config import Config
 from estimator.estimate import ALL_AXES, Axes, CameraEstimate, Status
 from estimator.finding import Finding, FindingKind
@@ -74,6 +75,7 @@ class Ledger:
         missed: Mapping[str, int],
         findings: tuple[Finding, ...],
         lenses: Mapping[str, Camera],
+        doubt: ClockDoubt,
     ) -> dict[str, CameraEstimate]:
         """State every camera's pose.
 
@@ -82,8 +84,11 @@ class Ledger:
             missed: By camera, how many bundles in a row came without its image.
             findings: What was noticed.
             lenses: Refined intrinsics by camera, if any.
+            doubt: What clocks leave open.
         """
-        stated = belief if self.is_empty else belief.with_scale_sigma(self.config.shared_scale_sigma)
+        stated = belief
+        if not self.is_empty:
+            stated = belief.with_scale_sigma(self.config.shared_scale_sigma).widened(doubt.covariance)
         in_doubt = doubted(findings, self._nominal)
         moved = {name for f in findings if f.kind is FindingKind.MOVED_CAMERA for name in f.cameras}
         has_wrong_lens = any(f.doubtful and f.kind is FindingKind.WRONG_INTRINSICS for f in findings)
@@ -93,8 +98,9 @@ class Ledger:
             covariance, prior = belief.camera_covariance(name), self._prior.camera_covariance(name)
             is_reference = name == belief.rig.reference
             limits = self.config.observability
-            observed = ALL_AXES if is_reference else observed_axes(covariance, prior, limits)
-            weak_axes = () if is_reference else weak_words(observed, covariance, prior, pose, limits)
+            hidden = doubt.hidden_of(name, belief.rig)
+            observed = ALL_AXES if is_reference else observed_axes(covariance, prior, limits, hidden)
+            weak_axes = () if is_reference else weak_words(observed, covariance, prior, pose, limits, hidden)
             status = self._status(name, stated, missed[name], observed)
             if name in in_doubt and status not in (Status.LOST, Status.INITIALISING):
                 status = Status.SUSPECT

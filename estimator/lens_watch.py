@@ -16,6 +16,8 @@ from pydantic import Field
 
 from estimator.belief import Belief
 from estimator.camera import Camera
+from estimator.clock_doubt import ClockDoubt, ClockDoubtConfig, clock_doubt
+from estimator.clock_or_shift import ClockOrShiftConfig, late_or_shifted
 from estimator.clocks import Clocks
 from estimator.config import Config
 from estimator.corrections import belief_from, scene_at
@@ -40,6 +42,8 @@ class LensConfig(Config):
     """What is usual, what is told, and when a window is adjusted again.
 
     Lens and clock have settled once a round changes them by less than ``settled`` times the usual error.
+    ``clocks_in_step`` says that one trigger or one clock serves all cameras: then what a late clock could do
+    is left out of what is stated of poses. A clock that is clearly late is told all the same.
     """
 
     usual: UsualErrors = UsualErrors()
@@ -47,15 +51,19 @@ class LensConfig(Config):
     suspect_sigmas: Factor = 3.0
     rounds: int = Field(6, ge=0, le=100)
     settled: PositiveShare = 0.03
+    clocks_in_step: bool = False
+    doubt: ClockDoubtConfig = ClockDoubtConfig()
+    late_or_shifted: ClockOrShiftConfig = ClockOrShiftConfig()
 
 
 class LensWatch:
     """The evidence on lenses and clocks so far.
 
     Attributes:
-        findings: The lenses and clocks that are clearly wrong.
+        findings: The lenses and clocks that are clearly wrong, and clocks that would explain a far shift.
         belief: The extrinsics by all windows' evidence, with lenses and clocks as corrected.
         lenses: The refined lenses by camera; empty while none are known.
+        doubt: What clocks leave open of the extrinsics.
     """
 
     def __init__(self, nominal: Rig, config: LensConfig, window: WindowConfig, refine: Refine) -> None:
@@ -66,6 +74,7 @@ class LensWatch:
         self.belief = Belief.nominal(nominal)
         self.lenses: Mapping[str, Camera] = {}
         self._evidence = Evidence.none(nominal)
+        self.doubt = self._doubt()
 
     def learn(self, scene: Scene, seen: Observations) -> None:
         """Add a window, given as it was adjusted; adjust it again where a lens or clock must change."""
@@ -75,8 +84,9 @@ class LensWatch:
             self._evidence = self._settled(scene, seen)
         except (RuntimeError, np.linalg.LinAlgError):  # no solution: what was known before stays
             return
-        self.findings = tuple(map(self._as_told, self._accuse(self._evidence, self.config.accuse)))
         self.belief = belief_from(self._evidence, self.config.usual, self._free(self._evidence))
+        self.doubt = self._doubt()
+        self.findings = self._findings()
         if self._refines_lenses:
             self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
 
@@ -109,6 +119,23 @@ class LensWatch:
     @property
     def _refines_clocks(self) -> bool:
         return self.refine in ("clocks", "both")
+
+    def _findings(self) -> tuple[Finding, ...]:
+        """Return accusations; where only the rig file's prior speaks against a clock, both explanations."""
+        config, evidence = self.config, self._evidence
+        either = late_or_shifted(
+            evidence, self.doubt, config.doubt.broad_s, config.usual, config.late_or_shifted
+        )
+        unclear = {finding.cameras for finding in either}
+        accused = map(self._as_told, self._accuse(evidence, config.accuse))
+        clear = (f for f in accused if f.kind is not FindingKind.CLOCK_OFFSET or f.cameras not in unclear)
+        return (*clear, *either)
+
+    def _doubt(self) -> ClockDoubt:
+        if self.config.clocks_in_step:
+            return ClockDoubt.none(self._evidence.nominal)
+        corrected = self._free(self._evidence).clocks if self._refines_clocks else frozenset[str]()
+        return clock_doubt(self._evidence, self.config.usual, self.config.doubt, corrected)
 
     def _settled(self, scene: Scene, seen: Observations) -> Evidence:
         """Return all evidence, the window's at lenses and clocks that it no longer changes."""

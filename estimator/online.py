@@ -177,7 +177,8 @@ class OnlineEstimator:
     ) -> Estimate:
         findings = (*self._watch.findings(), *self._moves.findings(), *self._lens_watch.findings)
         missed = {name: tracker.missed_count for name, tracker in self._front_end.trackers.items()}
-        cameras = self._ledger.cameras(self.belief, missed, findings, self._lens_watch.lenses)
+        lenses, doubt = self._lens_watch.lenses, self._lens_watch.doubt
+        cameras = self._ledger.cameras(self.belief, missed, findings, lenses, doubt)
         return Estimate(
             self._stamp_ns,
             cameras,

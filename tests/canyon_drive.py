@@ -6,6 +6,8 @@ from collections.abc import Iterable
 
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate
+from estimator.lens_watch import LensConfig
+from estimator.online import OnlineConfig
 from estimator.rig import Rig
 from tests.canyon import render
 from tests.mounts import arc, left_side_rig, shaken
@@ -14,6 +16,8 @@ TRUTH = left_side_rig()
 NOMINAL = shaken(TRUTH, 2.0, 60.0)
 PATH = arc(0.7, 20)
 PERIOD_NS = 100_000_000
+# The car keeps its speed and its bend all the way, so the drive cannot show clocks.
+IN_STEP = OnlineConfig(lens=LensConfig(clocks_in_step=True))
 
 
 def canyon_bundles() -> list[FrameBundle]:

@@ -8,14 +8,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from estimator.batch import BatchEstimator
+from estimator.batch import BatchConfig, BatchEstimator
 from estimator.bundle import FrameBundle, Image
 from estimator.estimate import Estimate, Status
 from estimator.finding import FindingKind
 from estimator.online import OnlineEstimator
 from estimator.rig import Rig, RigPrior
 from estimator.se3 import SE3
-from tests.canyon_drive import NOMINAL, PERIOD_NS, TRUTH
+from tests.canyon_drive import IN_STEP, NOMINAL, PERIOD_NS, TRUTH
 
 NAMES = tuple(TRUTH.cameras)
 SHAPE = (200, 320)
@@ -25,7 +25,7 @@ Bundles = list[FrameBundle]
 
 def feed(bundles: Sequence[FrameBundle], rig: Rig = NOMINAL, *, batch: bool = False) -> list[Estimate]:
     """Return all answers, checked."""
-    estimator = BatchEstimator(rig) if batch else OnlineEstimator(rig)
+    estimator = BatchEstimator(rig, BatchConfig(online=IN_STEP)) if batch else OnlineEstimator(rig, IN_STEP)
     answers = [*(estimator.update(bundle) for bundle in bundles), estimator.close()]
     for answer in answers:
         check(answer)

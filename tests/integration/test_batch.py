@@ -9,13 +9,13 @@ from estimator.batch import BatchConfig, BatchEstimator
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
-from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
+from tests.canyon_drive import IN_STEP, NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
 from tests.mounts import worst_error
 
 
 def drive(bundles: list[FrameBundle], config: BatchConfig | None = None) -> Estimate:
     """Return the last answer."""
-    estimator = BatchEstimator(NOMINAL, config)
+    estimator = BatchEstimator(NOMINAL, config or BatchConfig(online=IN_STEP))
     for bundle in bundles:
         estimator.update(bundle)
     return estimator.close()
@@ -70,3 +70,13 @@ def test_a_standing_car_learns_nothing_and_says_so(bundles: list[FrameBundle]) -
 
 def test_no_bundles_are_no_error() -> None:
     assert drive([]).cameras["left_rear"].status is Status.INITIALISING
+
+
+def test_a_refined_drive_is_as_unsure_as_its_lenses(bundles: list[FrameBundle]) -> None:
+    refining = IN_STEP.model_copy(update={"refine": "intrinsics"})
+    online = OnlineEstimator(NOMINAL, refining)
+    for bundle in bundles:
+        online.update(bundle)
+    expected, got = online.close(), drive(bundles, BatchConfig(online=refining))
+    for name in NOMINAL.estimated_names:
+        np.testing.assert_allclose(got.cameras[name].sigma, expected.cameras[name].sigma, rtol=0.02)

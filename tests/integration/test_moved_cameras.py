@@ -15,7 +15,7 @@ from estimator.finding import FindingKind
 from estimator.online import OnlineEstimator
 from estimator.se3 import SE3
 from tests.canyon import render
-from tests.canyon_drive import NOMINAL, PERIOD_NS, TRUTH, rig_of
+from tests.canyon_drive import IN_STEP, NOMINAL, PERIOD_NS, TRUTH, rig_of
 from tests.mounts import worst_error
 
 PATH = [SE3(np.eye(3), np.array([0.7 * index - 8.0, 0.0, 0.0])) for index in range(38)]
@@ -44,7 +44,7 @@ def knocked_bundles(struck: str) -> list[FrameBundle]:
 @cache
 def answers(struck: str) -> Sequence[Estimate]:
     """Return the answers to every bundle and the last one."""
-    estimator = OnlineEstimator(NOMINAL)
+    estimator = OnlineEstimator(NOMINAL, IN_STEP)
     return [*map(estimator.update, knocked_bundles(struck)), estimator.close()]
 
 

@@ -11,7 +11,7 @@ from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
 from estimator.scale import ROAD
-from tests.canyon_drive import NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
+from tests.canyon_drive import IN_STEP, NOMINAL, PATH, PERIOD_NS, TRUTH, as_bytes, rig_of
 from tests.mounts import worst_error
 
 Answers = list[Estimate]
@@ -19,7 +19,7 @@ Answers = list[Estimate]
 
 def drive(bundles: Sequence[FrameBundle]) -> Answers:
     """Return the answers to all bundles, and the last one."""
-    estimator = OnlineEstimator(NOMINAL)
+    estimator = OnlineEstimator(NOMINAL, IN_STEP)
     return [*(estimator.update(bundle) for bundle in bundles), estimator.close()]
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from estimator.belief import Belief
+from estimator.clock_doubt import ClockDoubt
 from estimator.estimate import Status
 from estimator.finding import Finding, FindingKind
 from estimator.ledger import Ledger, LedgerConfig
@@ -20,6 +21,7 @@ SCENE = known_scene(RIG, arc(1.0, 10))
 SEEN = sightings(SCENE, noise_px=0.1)
 TRACKED = int(np.sum(~SEEN.handed_over))
 SURE = Belief(RIG, 1e-8 * np.eye(12))
+IN_STEP = ClockDoubt.none(RIG)
 NOBODY_MISSED = dict.fromkeys(RIG.cameras, 0)
 LIMITS = ResultConfig(min_inliers=50)
 SWAPPED = Finding(FindingKind.SWAPPED_CAMERAS, ("left_rear", "front"), "the two are swapped")
@@ -32,7 +34,7 @@ def window() -> WindowResult:
 
 
 def statuses(ledger: Ledger, *findings: Finding, missed: dict[str, int] = NOBODY_MISSED) -> dict[str, Status]:
-    return {name: c.status for name, c in ledger.cameras(SURE, missed, findings, {}).items()}
+    return {name: c.status for name, c in ledger.cameras(SURE, missed, findings, {}, IN_STEP).items()}
 
 
 def filled() -> Ledger:
@@ -45,14 +47,14 @@ def test_before_the_first_window_nothing_is_known_and_nothing_is_added_to_the_pr
     ledger = Ledger(RIG, LedgerConfig(), OffNominal())
     assert ledger.is_empty and ledger.scale() is None
     assert statuses(ledger) == dict.fromkeys(RIG.cameras, Status.INITIALISING)
-    cameras = ledger.cameras(SURE, NOBODY_MISSED, (), {})
+    cameras = ledger.cameras(SURE, NOBODY_MISSED, (), {}, IN_STEP)
     np.testing.assert_array_equal(cameras["left_rear"].covariance, SURE.camera_covariance("left_rear"))
 
 
 def test_a_window_makes_sure_cameras_converged_and_states_the_shared_error_of_scale() -> None:
     ledger = filled()
     assert statuses(ledger) == dict.fromkeys(RIG.cameras, Status.CONVERGED)
-    stated = ledger.cameras(SURE, NOBODY_MISSED, (), {})["left_rear"].covariance
+    stated = ledger.cameras(SURE, NOBODY_MISSED, (), {}, IN_STEP)["left_rear"].covariance
     assert np.trace(stated[3:, 3:]) > np.trace(SURE.camera_covariance("left_rear")[3:, 3:])
 
 
@@ -84,7 +86,10 @@ def test_a_reference_that_went_silent_is_lost_like_any_other() -> None:
 def test_sightings_add_up_over_windows() -> None:
     once, twice = filled(), filled()
     twice.add(window())
-    counts = [each.cameras(SURE, NOBODY_MISSED, (), {})["left_front"].inlier_count for each in (once, twice)]
+    counts = [
+        each.cameras(SURE, NOBODY_MISSED, (), {}, IN_STEP)["left_front"].inlier_count
+        for each in (once, twice)
+    ]
     assert counts[1] == 2 * counts[0] > 0
 
 

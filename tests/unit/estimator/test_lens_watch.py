@@ -2,52 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from estimator.belief import Belief
-from estimator.clocks import Clocks
-from estimator.corrections import rig_at
 from estimator.finding import FindingKind
-from estimator.graph import adjust
-from estimator.lens_watch import LensConfig, LensWatch, Refine
-from estimator.loss import Loss
-from estimator.se3 import SE3
+from estimator.lens_watch import Refine
 from estimator.unknowns import Unknowns
-from estimator.window_config import WindowConfig
-from tests.known_scene import known_scene, on_road, sightings
-from tests.mounts import BROWN, arc, left_side_rig, worst_error
+from tests.mounts import worst_error
+from tests.watched_drives import BEND, LATE, NOMINAL, STRAIGHT, watched
 
-NOMINAL = left_side_rig(left_front=BROWN)
 UNKNOWNS = Unknowns(NOMINAL)
 LONGER = np.zeros(UNKNOWNS.size)
 LONGER[UNKNOWNS.lens(1)] = [np.log(1.015), 3.0, -2.0]
-STAMPS_NS = tuple(200_000_000 * k for k in range(9))
-STRAIGHT = arc(1.0, 9, 0.0)
-# At 5 m/s round 25 m the rear axle slips to the outside: the car heads a little into the bend.
-BEND = tuple(pose.retract(np.array([0.0, 0.0, 0.006, 0.0, 0.0, 0.0])) for pose in arc(1.0, 9, 1 / 25))
-IN_TIME = (0.0, 0.0, 0.0)
-
-
-def watched(
-    *paths: tuple[SE3, ...],
-    unknowns: np.ndarray | None = None,
-    ahead_s: tuple[float, ...] = IN_TIME,
-    refine: Refine = "none",
-) -> LensWatch:
-    """Return what is known once windows along the paths were adjusted as if lenses and clocks were right."""
-    watch = LensWatch(NOMINAL, LensConfig(), WindowConfig(), refine)
-    for seed, path in enumerate(paths):
-        true_rig = NOMINAL if unknowns is None else rig_at(NOMINAL, unknowns)
-        truth = replace(known_scene(true_rig, path, 15, seed), clocks=Clocks(STAMPS_NS, ahead_s))
-        seen = sightings(truth, 0.1, seed)
-        start = replace(truth, rig=NOMINAL, clocks=None, stamps_ns=STAMPS_NS)
-        before = Belief.nominal(NOMINAL)
-        scene = adjust(start, seen, on_road(truth), before, Loss(0.1), WindowConfig().graph).scene
-        watch.learn(scene, seen)
-    return watch
 
 
 def test_nobody_is_accused_where_all_is_right() -> None:
@@ -75,18 +41,18 @@ def test_a_wrong_lens_is_corrected_with_its_pose_where_asked(refine: Refine) -> 
 
 
 def test_on_a_steady_drive_a_late_clock_looks_like_a_shift_and_nobody_is_accused() -> None:
-    assert watched(STRAIGHT, STRAIGHT, ahead_s=(0.0, 0.0, 0.02)).findings == ()
+    assert watched(STRAIGHT, STRAIGHT, ahead_s=LATE).findings == ()
 
 
 def test_a_late_clock_is_told_once_the_car_turns() -> None:
-    (finding,) = watched(STRAIGHT, BEND, ahead_s=(0.0, 0.0, 0.02)).findings
+    (finding,) = watched(STRAIGHT, BEND, ahead_s=LATE).findings
     assert finding.kind is FindingKind.CLOCK_OFFSET and finding.cameras == ("left_rear",)
     assert finding.about.endswith("ahead of those of front")
     np.testing.assert_allclose(float(finding.about.split()[2]), 20.0, atol=2.0)
 
 
 def test_a_late_clock_is_corrected_with_the_pose_where_asked() -> None:
-    watch = watched(STRAIGHT, BEND, STRAIGHT, ahead_s=(0.0, 0.0, 0.02), refine="clocks")
+    watch = watched(STRAIGHT, BEND, STRAIGHT, ahead_s=LATE, refine="clocks")
     assert abs(watch.belief.ahead_s["left_rear"] - 0.02) < 0.002
     rotation_deg, translation_mm = worst_error(watch.belief.rig, NOMINAL)
     assert rotation_deg < 0.1 and translation_mm < 15
