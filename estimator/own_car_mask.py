@@ -22,8 +22,8 @@ class OwnCarConfig(Config):
     """How much evidence bars a cell, and how barred cells get another chance.
 
     A track speaks against its cell once it has stood still for ``vote_m``; a cell counts for ``most_m`` at
-    most either way, so that none is beyond recall. ``probes`` barred cells at a time are open for ``probe_m``;
-    one that shows no still track in that time loses half of what speaks against it.
+    most either way, so that none is beyond recall. ``probes`` barred cells at a time are open for
+    ``probe_m``; one that shows no still track in that time loses half of what speaks against it.
     """
 
     still: StillConfig = StillConfig()
