@@ -23,7 +23,13 @@ class DetectConfig(Config):
     bands: StepCount = 6
 
 
-def detect_corners(image: Image, occupied_px: Array, room: int, config: DetectConfig) -> Array:
+def detect_corners(
+    image: Image,
+    occupied_px: Array,
+    room: int,
+    config: DetectConfig,
+    usable: npt.NDArray[np.bool_] | None = None,
+) -> Array:
     """Return the strongest corner of every grid cell that holds no point yet.
 
     If there are more than ``room``, horizontal bands of the image take turns, those with the fewest points
@@ -37,6 +43,7 @@ def detect_corners(image: Image, occupied_px: Array, room: int, config: DetectCo
         occupied_px: (N, 2) points that already exist.
         room: How many to return at most.
         config: Grid and threshold.
+        usable: (H, W) where corners may be; None: everywhere.
 
     Returns:
         (M, 2) pixels.
@@ -47,6 +54,8 @@ def detect_corners(image: Image, occupied_px: Array, room: int, config: DetectCo
     half = cv2.resize(image, (image.shape[1] // 2, image.shape[0] // 2), interpolation=cv2.INTER_AREA)
     strength = cv2.cornerMinEigenVal(half, config.block_px, ksize=3)
     border = config.border_px // 2
+    if usable is not None:
+        strength *= usable[: 2 * strength.shape[0] : 2, : 2 * strength.shape[1] : 2]
     cell = max(8, round(np.sqrt(half.size / config.cells)))
     strength[:border], strength[-border:] = 0, 0
     strength[:, :border], strength[:, -border:] = 0, 0

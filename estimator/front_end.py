@@ -73,7 +73,8 @@ class FrontEnd:
         """Return the newest bundle as a keyframe."""
         assert self._bundle is not None, "advance comes first"
         current = {name: t for name, t in self.trackers.items() if t.current}
-        tracks = {name: (t.tracks.ids.copy(), t.tracks.pixels.copy()) for name, t in current.items()}
+        street = {name: ~t.tracks.on_car for name, t in current.items()}
+        tracks = {n: (t.tracks.ids[street[n]], t.tracks.pixels[street[n]]) for n, t in current.items()}
         images = dict(self._bundle.images)
         return Keyframe(self._bundle.stamp_ns, images, self.odometry.world_from_ego, tracks)
 
@@ -147,16 +148,19 @@ class FrontEnd:
             if starting and not tracker.current:
                 tracker.forget()
             elif starting or (self.known and tracker.current):
-                self._renew_one(tracker, self.odometry.world_from_ego @ self.rig[name].ego_from_cam, starting)
+                self._renew_one(tracker, self.rig[name].ego_from_cam, starting)
         if starting:
             self._started_with = len(self.trackers[self.rig.reference].tracks)
         return starting
 
-    def _renew_one(self, tracker: Tracker, world_from_cam: SE3, starting: bool) -> None:
+    def _renew_one(self, tracker: Tracker, ego_from_cam: SE3, starting: bool) -> None:
+        world_from_ego = self.odometry.world_from_ego
+        world_from_cam = world_from_ego @ ego_from_cam
         if starting:
             tracker.tracks.reanchor()
         else:
             tracker.locate(world_from_cam)
+            tracker.leave_own_car(world_from_ego, ego_from_cam, self.odometry.step_m)
             tracker.retire(world_from_cam)
         tracker.replenish()
         tracker.tracks.anchor(world_from_cam)

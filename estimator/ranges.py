@@ -18,6 +18,7 @@ PositiveCount = Annotated[int, Field(ge=1, le=100_000)]
 PointCount = Annotated[int, Field(ge=5, le=100_000)]  # fewer leave a pose open
 KeyframeCount = Annotated[int, Field(ge=2, le=1000)]
 StepCount = Annotated[int, Field(ge=1, le=1000)]
+CellPx = Annotated[int, Field(ge=2, le=1000)]
 HalfPatchPx = Annotated[int, Field(ge=2, le=30)]
 
 AngleRad = Annotated[float, Field(gt=0, le=3.1416)]

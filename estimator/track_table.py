@@ -24,6 +24,7 @@ _FIELDS: dict[str, tuple[tuple[int, ...], float]] = {  # the shape of a row, and
     "points_world": ((3,), np.nan),
     "fresh": ((), False),
     "strikes": ((), 0),
+    "on_car": ((), False),
 }
 
 
@@ -42,6 +43,7 @@ class TrackTable:
         points_world: (N, 3) the point in metres; NaN while unknown.
         fresh: (N,) whether the first view has no pose yet.
         strikes: (N,) how many times in a row the motion of the car denied the track.
+        on_car: (N,) whether it has stood still so far where no point of the street could have.
     """
 
     ids: npt.NDArray[np.int64]
@@ -55,6 +57,7 @@ class TrackTable:
     points_world: Array
     fresh: Chosen
     strikes: npt.NDArray[np.int64]
+    on_car: Chosen
 
     def __init__(self) -> None:
         self._next_id = 0

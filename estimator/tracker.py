@@ -11,6 +11,7 @@ from estimator.camera import Camera
 from estimator.config import Config
 from estimator.detect import DetectConfig, detect_corners
 from estimator.flow import FlowConfig, follow
+from estimator.own_car_mask import OwnCarConfig, OwnCarMask
 from estimator.ranges import AngleRad, Count, LengthM, PositiveCount, SizeOrNonePx
 from estimator.se3 import SE3, Array
 from estimator.track_table import TrackTable
@@ -27,6 +28,7 @@ class TrackerConfig(Config):
 
     detect: DetectConfig = DetectConfig()
     flow: FlowConfig = FlowConfig()
+    own_car: OwnCarConfig = OwnCarConfig()
     max_points: PositiveCount = 220
     max_travel_m: LengthM = 12.0
     min_parallax_rad: AngleRad = 0.012
@@ -44,6 +46,7 @@ class Tracker:
         self.image: Image | None = None
         self.missed_count = 0
         self.tracks = TrackTable()
+        self.own_car = OwnCarMask(camera.size_px, config.own_car)
 
     def advance(self, image: Image, guess_px: Array) -> None:
         """Move all tracks into ``image``, from (N, 2) guesses; those that get lost are dropped."""
@@ -52,12 +55,26 @@ class Tracker:
             tracks.clear()
         elif len(tracks):
             moved, good = follow(self.image, image, tracks.pixels, guess_px, self.config.flow)
+            self._look_where_they_stood(image, moved, good)
             tracks.previous_pixels, tracks.pixels = tracks.pixels, moved
             tracks.keep(good)
             tracks.rays_cam = self.camera.unproject(tracks.pixels)
             tracks.keep(is_ahead(tracks.rays_cam))
         self.image = image
         self.missed_count = 0
+
+    def _look_where_they_stood(self, image: Image, moved_px: Array, good: npt.NDArray[np.bool_]) -> None:
+        """Find tracks of the car itself again, which are sought in vain where the street would have moved.
+
+        They need to live for some metres to be told: else new ones would take the places with every image.
+        """
+        before_px = self.tracks.pixels
+        rows = np.flatnonzero(~good & self.own_car.may_show_car(self.tracks))
+        if self.image is None or len(rows) == 0:
+            return
+        found, back = follow(self.image, image, before_px[rows], before_px[rows], self.config.flow)
+        stood = back & (np.linalg.norm(found - before_px[rows], axis=1) < self.config.own_car.still.still_px)
+        moved_px[rows[stood]], good[rows[stood]] = found[stood], True
 
     @property
     def current(self) -> bool:
@@ -80,7 +97,8 @@ class Tracker:
         room = self.config.max_points - len(self.tracks)
         if self.image is None or room <= 0:
             return
-        pixels = detect_corners(self.image, self.tracks.pixels, room, self.config.detect)
+        usable = self.own_car.usable_px(*self.image.shape)
+        pixels = detect_corners(self.image, self.tracks.pixels, room, self.config.detect, usable)
         rays = self.camera.unproject(pixels)
         usable = is_ahead(rays)
         self.tracks.start(pixels[usable], rays[usable])
@@ -92,6 +110,11 @@ class Tracker:
     def judge(self, agrees: npt.NDArray[np.bool_]) -> None:
         """Take what the motion of the car says of the located tracks, and drop those it keeps denying."""
         self.tracks.judge(agrees, self.config.max_strikes)
+
+    def leave_own_car(self, world_from_ego: SE3, ego_from_cam: SE3, step_m: float) -> None:
+        """Learn which parts of the image show the car itself, and drop the tracks that stand there."""
+        focal_px = float(np.mean(self.camera.focal_px))
+        self.tracks.keep(self.own_car.see(self.tracks, focal_px, world_from_ego, ego_from_cam, step_m))
 
     def retire(self, world_from_cam: SE3) -> None:
         """Drop tracks that have come far, and those that stand still in the image while the car moves."""

@@ -60,3 +60,10 @@ def test_the_border_is_left_alone() -> None:
     found = detect_corners(NOISE, NOWHERE, 1000, CONFIG)
     assert len(found) > 50 and found.min() >= CONFIG.border_px
     assert found[:, 0].max() <= 320 - CONFIG.border_px
+
+
+def test_no_corner_is_taken_where_none_may_be() -> None:
+    usable = np.ones((240, 320), bool)
+    usable[160:, 80:240] = False
+    found = detect_corners(NOISE, NOWHERE, 1000, CONFIG, usable).astype(int)
+    assert len(found) > 50 and usable[found[:, 1], found[:, 0]].all()

@@ -55,3 +55,13 @@ def test_tracks_that_wait_are_neither_shown_nor_kept_in_a_keyframe() -> None:
     front.advance(FrameBundle(2, images), Stopwatch())
     assert len(front.trackers["rear"].tracks) > 0
     assert len(front.live_tracks_px()["rear"]) == 0 and "rear" not in front.keyframe().tracks
+
+
+def test_tracks_on_the_car_itself_are_not_kept_in_a_keyframe() -> None:
+    front = front_end(0.5)
+    missed(front, "none", bundles=1)
+    tracks = front.trackers["left"].tracks
+    tracks.on_car[:3] = True
+    ids, pixels = front.keyframe().tracks["left"]
+    np.testing.assert_array_equal(ids, tracks.ids[3:])
+    np.testing.assert_array_equal(pixels, tracks.pixels[3:])
