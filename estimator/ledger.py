@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 from estimator.belief import Belief
 from estimator.camera import Camera
@@ -61,9 +61,10 @@ class Ledger:
             self._inliers[name] += count
             self._links[name] += result.link_count[name]
 
-    def forget(self, name: str) -> None:
-        """Count nothing for a camera that was seen before it moved."""
-        self._inliers[name] = self._links[name] = 0
+    def forget(self, names: Collection[str]) -> None:
+        """Count nothing for cameras that was seen before they moved."""
+        for name in names:
+            self._inliers[name] = self._links[name] = 0
 
     def scale(self) -> ScaleEvidence | None:
         """Return what is known of metric scale."""

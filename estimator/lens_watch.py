@@ -7,7 +7,7 @@ until it no longer changes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from typing import Literal
 
@@ -73,7 +73,7 @@ class LensWatch:
         self.findings: tuple[Finding, ...] = ()
         self.belief = Belief.nominal(nominal)
         self.lenses: Mapping[str, Camera] = {}
-        self._evidence = Evidence.none(nominal)
+        self._evidence = self._held = Evidence.none(nominal)
         self.doubt = self._doubt()
 
     def learn(self, scene: Scene, seen: Observations) -> None:
@@ -90,9 +90,21 @@ class LensWatch:
         if self._refines_lenses:
             self.lenses = {name: mounted.camera for name, mounted in self.belief.rig.cameras.items()}
 
-    def forget(self, name: str) -> None:
-        """Drop what the windows said of a camera's place on the car, because it has moved."""
-        self._evidence = self._evidence.forgetting_pose(name)
+    def hold(self) -> None:
+        """Keep what is known now, for ``relearn`` to come back to."""
+        self._held = self._evidence
+
+    def relearn(self, moved: Collection[str], scene: Scene, seen: Observations) -> None:
+        """Learn a window in place of all since ``hold``, after which cameras have moved on the car."""
+        self._evidence = self._held
+        for name in moved:
+            self._evidence = self._evidence.forgetting_pose(name)
+        self.learn(scene, seen)
+
+    @property
+    def blamed(self) -> frozenset[str]:
+        """The cameras whose lens or clock is in doubt, so that their poses seem to change."""
+        return frozenset(name for f in self.findings if f.doubtful for name in f.cameras)
 
     @property
     def _loss(self) -> Loss:

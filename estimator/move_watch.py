@@ -74,13 +74,18 @@ class MoveWatch:
         yield from self._doubts
         yield from self._moves.values()
 
-    def examine(self, before: Belief, result: WindowResult) -> Examined:
+    def examine(self, before: Belief, result: WindowResult, blamed: frozenset[str]) -> Examined:
         """Compare a window with what was believed before it.
+
+        Args:
+            before: What was believed.
+            result: The window, solved after it.
+            blamed: Cameras whose lens or clock is in doubt: that changes their poses with the car's motion.
 
         Raises:
             RuntimeError: The window could not be solved by itself.
         """
-        known = before.known_within(self._window.unsure_rad) - {before.rig.reference}
+        known = before.known_within(self._window.unsure_rad) - {before.rig.reference} - blamed
         alone = self._solve(result, before, frozenset(before.rig.estimated_names)) if known else None
         if alone is None:
             return Examined(result)

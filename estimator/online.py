@@ -128,11 +128,12 @@ class OnlineEstimator:
             self._watch.see_window(keyframes, self.belief, result)
         if result is None:
             return ()
-        with stopwatch.stage("moves"):
-            result = self._without_moves(result)
         with stopwatch.stage("lens"):
             if not self._moves.in_doubt:
-                self._lens_watch.learn(result.scene, result.seen)
+                self._lens_watch.hold()
+            self._lens_watch.learn(result.scene, result.seen)
+        with stopwatch.stage("moves"):
+            result = self._without_moves(result)
         with stopwatch.stage("fuse"):
             self.belief = self._lens_watch.corrected or result.belief
             self._correct_motion(keyframes, result)
@@ -142,14 +143,15 @@ class OnlineEstimator:
     def _without_moves(self, result: WindowResult) -> WindowResult:
         """Return the result without what cameras spoil that no longer sit where they did."""
         try:
-            examined = self._moves.examine(self.belief, result)
+            examined = self._moves.examine(self.belief, result, self._lens_watch.blamed)
         except (RuntimeError, np.linalg.LinAlgError):  # by itself the window cannot be solved: no opinion
             return result
-        for name in examined.moved:
-            self._lens_watch.forget(name)
-            self._ledger.forget(name)
+        result = examined.result
+        if examined.moved:
+            self._lens_watch.relearn(examined.moved, result.scene, result.seen)
+            self._ledger.forget(examined.moved)
         self.moved |= examined.moved
-        return examined.result
+        return result
 
     def _correct_motion(self, keyframes: list[Keyframe], result: WindowResult) -> None:
         """Move path, tracks and odometry to where the window found the car to be."""

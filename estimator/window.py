@@ -45,7 +45,6 @@ class WindowCalibration:
         start: Rig | None = None,
     ) -> None:
         self.config, self.stopwatch = config, stopwatch
-        self.stamps_ns = [keyframe.stamp_ns for keyframe in keyframes]
         # The path has the size of the rig that the cameras were tracked with, less what it drifted since.
         self.scale_sigma = float(np.hypot(config.scale_drift, belief.scale_sigma())) if metric else np.inf
         self.state = WindowState(keyframes, belief, config.track_sigma_px, config.corridor, start)
@@ -156,5 +155,5 @@ class WindowCalibration:
             return None
         covariance = self._adjust_finely(fine, want_covariance=True)
         tracked = len(self.state.tracks)
-        result = conclude(self.state.scene, fine, covariance, self.stamps_ns, tracked, self.config.result)
+        result = conclude(self.state.scene, fine, covariance, tracked, self.config.result)
         return result and replace(result, scale_information=self.state.scale_information)

@@ -26,7 +26,5 @@ def adjust_again(result: WindowResult, belief: Belief, config: WindowConfig) -> 
     on_road = road_landmarks(scene, seen, config.road_tolerance_m)
     loss = Loss(config.sighting_noise.loss_sigmas, of_sigma=True)
     adjusted = adjust(scene, seen, on_road, belief, loss, config.graph, want_covariance=True)
-    again = conclude(
-        adjusted.scene, seen, adjusted.covariance, scene.stamps_ns, result.track_sightings, config.result
-    )
+    again = conclude(adjusted.scene, seen, adjusted.covariance, result.track_sightings, config.result)
     return again and replace(again, scale_information=adjusted.scale_information)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -71,17 +70,15 @@ def conclude(
     scene: Scene,
     seen: Observations,
     covariance: Array,
-    stamps_ns: Sequence[int],
     track_sightings: int,
     config: ResultConfig,
 ) -> WindowResult | None:
     """Sum up an adjusted window; None if too little of it agrees.
 
     Args:
-        scene: The adjusted values.
+        scene: The adjusted values, and when its keyframes were.
         seen: The sightings they were adjusted to.
         covariance: (6 C, 6 C) posterior of the estimated extrinsics.
-        stamps_ns: Stamp of each keyframe.
         track_sightings: How many sightings the tracks had, explained or not.
         config: Thresholds.
     """
@@ -100,7 +97,7 @@ def conclude(
         dict(zip(names, counts, strict=True)),
         dict(zip(names, links, strict=True)),
         median_px,
-        cross_camera_matches(inliers, names, stamps_ns),
+        cross_camera_matches(inliers, names, scene.stamps_ns),
         scene,
         seen,
         track_sightings,

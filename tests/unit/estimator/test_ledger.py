@@ -17,7 +17,7 @@ from tests.known_scene import known_scene, sightings
 from tests.mounts import arc, left_side_rig
 
 RIG = left_side_rig()
-SCENE = known_scene(RIG, arc(1.0, 10))
+SCENE = replace(known_scene(RIG, arc(1.0, 10)), stamps_ns=tuple(range(10)))
 SEEN = sightings(SCENE, noise_px=0.1)
 TRACKED = int(np.sum(~SEEN.handed_over))
 SURE = Belief(RIG, 1e-8 * np.eye(12))
@@ -28,7 +28,7 @@ SWAPPED = Finding(FindingKind.SWAPPED_CAMERAS, ("left_rear", "front"), "the two 
 
 
 def window() -> WindowResult:
-    result = conclude(SCENE, SEEN, SURE.covariance, range(10), TRACKED, LIMITS)
+    result = conclude(SCENE, SEEN, SURE.covariance, TRACKED, LIMITS)
     assert result is not None
     return result
 
@@ -97,7 +97,7 @@ def test_a_camera_that_moved_is_told_so_until_it_is_known_again() -> None:
     moved = Finding(FindingKind.MOVED_CAMERA, ("left_rear",), "it moved", doubtful=False)
     ledger = filled()
     assert statuses(ledger, moved)["left_rear"] is Status.CONVERGED
-    ledger.forget("left_rear")
+    ledger.forget(["left_rear"])
     assert statuses(ledger, moved)["left_rear"] is Status.MOVED
     assert statuses(ledger, moved)["left_front"] is Status.CONVERGED
     ledger.add(window())

@@ -13,7 +13,7 @@ from tests.known_scene import known_scene, sightings
 from tests.mounts import arc, left_side_rig
 
 CONFIG = ResultConfig(min_inliers=100)
-SCENE = known_scene(left_side_rig(), arc(1.0, 4))
+SCENE = replace(known_scene(left_side_rig(), arc(1.0, 4)), stamps_ns=(0, 1, 2, 3))
 SEEN = sightings(SCENE, noise_px=0.2)
 COVARIANCE = 1e-6 * np.eye(12)
 
@@ -24,7 +24,7 @@ TRACKED = int(np.sum(~SEEN.handed_over))
 def concluded(
     seen: Observations = SEEN, config: ResultConfig = CONFIG, tracked: int = TRACKED
 ) -> WindowResult | None:
-    return conclude(SCENE, seen, COVARIANCE, [0, 1, 2, 3], tracked, config)
+    return conclude(SCENE, seen, COVARIANCE, tracked, config)
 
 
 def test_sightings_that_agree_are_believed_and_counted() -> None:
