@@ -41,12 +41,12 @@ def answers(bundles: list[FrameBundle]) -> Answers:
 def test_a_wrong_rig_is_put_right(answers: Answers) -> None:
     np.testing.assert_allclose(worst_error(NOMINAL, TRUTH), [2.0, 60.0])
     rotation_deg, translation_mm = worst_error(rig_of(answers[-1]), TRUTH)
-    assert rotation_deg < 0.2 and translation_mm < 40
+    assert rotation_deg < 0.06 and translation_mm < 15
 
 
 def test_there_is_an_answer_before_the_drive_ends(answers: Answers) -> None:
     rotation_deg, translation_mm = worst_error(rig_of(answers[-2]), TRUTH)
-    assert rotation_deg < 0.2 and translation_mm < 40
+    assert rotation_deg < 0.06 and translation_mm < 15
 
 
 def test_it_says_that_it_knows_more_than_before(answers: Answers) -> None:
