@@ -7,7 +7,7 @@ run: .venv/.ready
 	.venv/bin/rigtrue run first_drive
 
 test: .venv/.ready .venv/.browser
-	.venv/bin/pytest -n auto --dist loadgroup
+	.venv/bin/pytest -n auto --dist loadfile
 
 bench: .venv/.ready
 	.venv/bin/pytest tests/benchmark -s

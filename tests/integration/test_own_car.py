@@ -9,7 +9,7 @@ from estimator.bundle import FrameBundle, Image
 from estimator.estimate import Estimate, Status
 from estimator.online import OnlineEstimator
 from tests.canyon import noise_image
-from tests.canyon_drive import NOMINAL, PATH, TRUTH, rig_of
+from tests.canyon_drive import IN_STEP, NOMINAL, PATH, TRUTH, rig_of
 from tests.mounts import worst_error
 
 TOP_PX = 144
@@ -22,7 +22,7 @@ def with_bonnet(image: Image) -> Image:
 
 def driven(bundles: list[FrameBundle], names: set[str]) -> list[Estimate]:
     """Return the answers where cameras of those names see the bonnet."""
-    estimator = OnlineEstimator(NOMINAL)
+    estimator = OnlineEstimator(NOMINAL, IN_STEP)
     images = ({n: with_bonnet(i) if n in names else i for n, i in b.images.items()} for b in bundles)
     seen = [FrameBundle(b.stamp_ns, each) for b, each in zip(bundles, images, strict=True)]
     return [*(estimator.update(bundle) for bundle in seen), estimator.close()]

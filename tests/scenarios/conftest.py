@@ -1,4 +1,4 @@
-"""The first bundles of every scenario that a run of the tests asks for, rendered on all cores."""
+"""The first bundles of every scenario that a file of tests asks for, rendered on all cores."""
 
 from __future__ import annotations
 
@@ -17,13 +17,14 @@ from tests.scenarios.first_bundles import first_bundles, same_pictures
 FirstBundles = Callable[[str], list[Snapshot]]
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def bundles_of(request: pytest.FixtureRequest) -> Iterator[FirstBundles]:
     """Return a scenario's first bundles; what failed there is raised here, what cannot be drawn skipped."""
     names = [
         item.callspec.params["name"]
         for item in request.session.items
         if isinstance(item, pytest.Function)
+        and item.path == request.path
         and "bundles_of" in item.fixturenames
         and hasattr(item, "callspec")
     ]
