@@ -80,9 +80,7 @@ class BatchEstimator:
         if not self._has_learnt:
             return answer
         belief = self._belief
-        if (
-            self._refines
-        ):  # segments take lenses and clocks as refined, and would not know how unsure those are
+        if self._refines:  # segments take lenses and clocks as refined; how unsure those are they do not know
             belief = replace(belief, covariance=self._online.belief.covariance)
         return self._online.final_answer(belief, self._scale_information)
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from pydantic import Field
 
+from estimator.belief import Belief
 from estimator.config import Config
 from estimator.evidence import Evidence, Free, Posterior, UsualErrors
 from estimator.ranges import ClockSigmaS
@@ -54,10 +55,7 @@ class ClockDoubt:
 
     def hidden_of(self, name: str, nominal: Rig) -> Array:
         """Return the (6, 6) part of ``hidden`` that concerns one camera; zero for the reference."""
-        if name == nominal.reference:
-            return np.zeros((6, 6))
-        first = 6 * nominal.estimated_names.index(name)
-        return self.hidden[first : first + 6, first : first + 6]
+        return Belief(nominal, self.hidden).camera_covariance(name)
 
 
 def clock_doubt(
