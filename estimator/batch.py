@@ -16,8 +16,9 @@ from estimator.config import Config
 from estimator.estimate import Estimate
 from estimator.factors import GraphConfig
 from estimator.keyframe import Keyframe
-from estimator.lens_watch import Refine
-from estimator.online import OnlineConfig, OnlineEstimator
+from estimator.lens_config import Refine
+from estimator.online import OnlineEstimator
+from estimator.online_config import OnlineConfig
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation, after_window
 from estimator.stopwatch import Stopwatch

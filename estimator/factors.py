@@ -18,6 +18,7 @@ from estimator.observations import Mask, Observations
 from estimator.ranges import PositiveShare, SigmaM, SigmaRad, StepCount
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
+from estimator.stance import StanceConfig
 
 _PLANE = gtsam.Cal3_S2(1.0, 1.0, 0.0, 0.0, 0.0)
 
@@ -26,8 +27,7 @@ class GraphConfig(Config):
     """What is believed besides the images."""
 
     road_sigma_m: SigmaM = 0.02
-    ride_height_sigma_m: SigmaM = 0.02
-    ride_tilt_sigma_rad: SigmaRad = 0.01
+    stance: StanceConfig = StanceConfig()
     road_bend_per_m: SigmaRad = 0.01
     level_sigma_rad: SigmaRad = 0.1
     level_height_sigma_m: SigmaM = 0.5

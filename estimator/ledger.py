@@ -26,7 +26,7 @@ class LedgerConfig(Config):
     ``shared_scale_sigma`` is the relative error of scale that all windows of a drive share.
     """
 
-    shared_scale_sigma: Share = 0.002
+    shared_scale_sigma: Share = 0.0015
     status: StatusConfig = StatusConfig()
     observability: ObservabilityConfig = ObservabilityConfig()
 

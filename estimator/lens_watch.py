@@ -1,59 +1,27 @@
-"""Watch lenses and clocks while the car drives: gather every window's evidence, and correct where asked.
-
-A lens or clock that is far off makes the adjustment distrust the very sightings that show it, so one
-linearisation misstates the error. The window is therefore adjusted again with lens or clock as found,
-until it no longer changes.
-"""
+"""Watch lenses and clocks while the car drives: gather every window's evidence, and correct where asked."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import replace
-from typing import Literal
 
 import numpy as np
-from pydantic import Field
 
 from estimator.belief import Belief
 from estimator.camera import Camera
-from estimator.clock_doubt import ClockDoubt, ClockDoubtConfig, clock_doubt
-from estimator.clock_or_shift import ClockOrShiftConfig, late_or_shifted
+from estimator.clock_doubt import ClockDoubt, clock_doubt
+from estimator.clock_or_shift import late_or_shifted
 from estimator.clocks import Clocks
-from estimator.config import Config
-from estimator.corrections import belief_from, scene_at
-from estimator.corridor import road_landmarks
-from estimator.evidence import Evidence, Free, UsualErrors, differences
+from estimator.corrections import belief_from
+from estimator.evidence import Evidence, Free
 from estimator.finding import Finding, FindingKind
-from estimator.graph import adjust
+from estimator.lens_config import LensConfig, Refine
 from estimator.lens_findings import AccusationConfig, accusations
-from estimator.loss import Loss
+from estimator.lens_trial import LensTrial
 from estimator.observations import Observations
-from estimator.ranges import Factor, PositiveShare
 from estimator.rig import Rig
 from estimator.scene import Scene
-from estimator.unknowns import Unknowns
 from estimator.window_config import WindowConfig
-from estimator.window_information import window_information
-
-Refine = Literal["none", "intrinsics", "clocks", "both"]
-
-
-class LensConfig(Config):
-    """What is usual, what is told, and when a window is adjusted again.
-
-    Lens and clock have settled once a round changes them by less than ``settled`` times the usual error.
-    ``clocks_in_step`` says that one trigger or one clock serves all cameras: then what a late clock could do
-    is left out of what is stated of poses. A clock that is clearly late is told all the same.
-    """
-
-    usual: UsualErrors = UsualErrors()
-    accuse: AccusationConfig = AccusationConfig()
-    suspect_sigmas: Factor = 3.0
-    rounds: int = Field(6, ge=0, le=100)
-    settled: PositiveShare = 0.03
-    clocks_in_step: bool = False
-    doubt: ClockDoubtConfig = ClockDoubtConfig()
-    late_or_shifted: ClockOrShiftConfig = ClockOrShiftConfig()
 
 
 class LensWatch:
@@ -81,7 +49,7 @@ class LensWatch:
         if scene.clocks is None:
             scene = replace(scene, clocks=Clocks(scene.stamps_ns, (0.0,) * len(scene.rig.cameras)))
         try:
-            self._evidence = self._settled(scene, seen)
+            self._evidence = self._trial().settled(scene, seen)
         except (RuntimeError, np.linalg.LinAlgError):  # no solution: what was known before stays
             return
         self.belief = belief_from(self._evidence, self.config.usual, self._free(self._evidence))
@@ -105,11 +73,6 @@ class LensWatch:
     def blamed(self) -> frozenset[str]:
         """The cameras whose lens or clock is in doubt, so that their poses seem to change."""
         return frozenset(name for f in self.findings if f.doubtful for name in f.cameras)
-
-    @property
-    def _loss(self) -> Loss:
-        """The loss that the window was adjusted with at last."""
-        return Loss(self.window.sighting_noise.loss_sigmas, of_sigma=True)
 
     @property
     def corrected(self) -> Belief | None:
@@ -149,42 +112,8 @@ class LensWatch:
         corrected = self._free(self._evidence).clocks if self._refines_clocks else frozenset[str]()
         return clock_doubt(self._evidence, self.config.usual, self.config.doubt, corrected)
 
-    def _settled(self, scene: Scene, seen: Observations) -> Evidence:
-        """Return all evidence, the window's at lenses and clocks that it no longer changes."""
-        evidence = self._evidence
-        free = self._free(evidence)
-        if evidence.window_count and not self._is_settled(scene, free, evidence):
-            scene = self._adjusted(scene, seen, free, evidence)
-        evidence = self._with(scene, seen)
-        for _ in range(self.config.rounds):
-            free = self._free(evidence)
-            if self._is_settled(scene, free, evidence):
-                break
-            # The loss's own curvature would step too far while residuals are large.
-            scene = self._adjusted(scene, seen, free, self._with(scene, seen, curved=False))
-            evidence = self._with(scene, seen)
-        return evidence
-
-    def _is_settled(self, scene: Scene, free: Free, evidence: Evidence) -> bool:
-        nominal, usual, unknowns = evidence.nominal, self.config.usual, Unknowns(evidence.nominal)
-        target = scene_at(scene, belief_from(evidence, usual, free))
-        change = np.abs(differences(nominal, target) - differences(nominal, scene))
-        limit = self.config.settled * usual.sigmas(unknowns)
-        return bool((change < limit)[unknowns.pose_size :].all())
-
-    def _adjusted(self, scene: Scene, seen: Observations, free: Free, evidence: Evidence) -> Scene:
-        """Adjust the window with lenses and clocks as now known, after all that was known before it."""
-        before = belief_from(self._evidence, self.config.usual, free)
-        scene = scene_at(scene, belief_from(evidence, self.config.usual, free))
-        for loss in (Loss(0.5), self._loss):
-            on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
-            scene = adjust(scene, seen, on_road, before, loss, self.window.graph).scene
-        return scene
-
-    def _with(self, scene: Scene, seen: Observations, *, curved: bool = True) -> Evidence:
-        on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)
-        found = window_information(scene, seen, on_road, self._loss, self.window.graph, curved=curved)
-        return self._evidence.with_window(found, scene)
+    def _trial(self) -> LensTrial:
+        return LensTrial(self._evidence, self._free, self.config, self.window)
 
     def _accuse(self, evidence: Evidence, config: AccusationConfig) -> tuple[Finding, ...]:
         return accusations(evidence.posterior(self.config.usual), evidence.nominal, config)

@@ -6,38 +6,22 @@ import numpy as np
 
 from estimator.belief import Belief
 from estimator.bundle import FrameBundle
-from estimator.config import Config
 from estimator.estimate import Estimate, Match
-from estimator.front_end import FrontEnd, FrontEndConfig
+from estimator.front_end import FrontEnd
 from estimator.keyframe import Keyframe
-from estimator.ledger import Ledger, LedgerConfig
-from estimator.lens_watch import LensConfig, LensWatch, Refine
-from estimator.move_watch import MoveWatch, MoveWatchConfig
-from estimator.off_nominal import OffNominal
+from estimator.ledger import Ledger
+from estimator.lens_watch import LensWatch
+from estimator.move_watch import MoveWatch
+from estimator.online_config import OnlineConfig
 from estimator.path import Path
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation
 from estimator.se3 import SE3
 from estimator.stopwatch import Stopwatch
-from estimator.watch import Watch, WatchConfig
+from estimator.watch import Watch
 from estimator.window import WindowCalibration
-from estimator.window_config import WindowConfig
-from estimator.window_pace import PaceConfig, is_keyframe
+from estimator.window_pace import is_keyframe
 from estimator.window_result import WindowResult
-
-
-class OnlineConfig(Config):
-    """Settings of the online estimator and of its parts."""
-
-    front_end: FrontEndConfig = FrontEndConfig()
-    window: WindowConfig = WindowConfig()
-    pace: PaceConfig = PaceConfig()
-    ledger: LedgerConfig = LedgerConfig()
-    watch: WatchConfig = WatchConfig()
-    moves: MoveWatchConfig = MoveWatchConfig()
-    off_nominal: OffNominal = OffNominal()
-    lens: LensConfig = LensConfig()
-    refine: Refine = "none"
 
 
 class OnlineEstimator:

@@ -105,8 +105,8 @@ def _fit_plane(scene: Scene, points: Array, beliefs: GraphConfig) -> SE3:
     middle = np.mean([pose.translation[:2] for pose in stance], axis=0)
     design = np.column_stack([np.ones(len(local)), local[:, :2] - middle])
     prior_mean = np.array([height, -ups[0] / ups[2], -ups[1] / ups[2]])
-    tilt_rad = beliefs.ride_tilt_sigma_rad
-    prior = np.diag([1 / beliefs.ride_height_sigma_m**2, 1 / tilt_rad**2, 1 / tilt_rad**2])
+    tilt_rad = beliefs.stance.tilt_sigma_rad
+    prior = np.diag([1 / beliefs.stance.height_sigma_m**2, 1 / tilt_rad**2, 1 / tilt_rad**2])
     plane = prior_mean
     for _ in range(10):
         error = local[:, 2] - design @ plane

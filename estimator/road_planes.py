@@ -16,6 +16,7 @@ from estimator.corridor import nearest_keyframe
 from estimator.factors import GraphConfig, flattened, landmark_key, pose_key, to_gtsam
 from estimator.observations import Mask, Observations
 from estimator.scene import Scene
+from estimator.stance import acceleration_mps2
 
 _FAR_M = 1000.0
 _ORTHOGRAPHIC = gtsam.Cal3_S2(_FAR_M, _FAR_M, 0.0, 0.0, 0.0)
@@ -53,9 +54,10 @@ def add_road(
 def _add_planes(
     graph: gtsam.NonlinearFactorGraph, values: gtsam.Values, scene: Scene, config: GraphConfig
 ) -> None:
-    tilt, height = config.ride_tilt_sigma_rad, config.ride_height_sigma_m
-    stance = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e-4, 1e-3, 1e-3, height]))
-    for index, pose in enumerate(scene.world_from_egos):
+    accelerations_mps2 = acceleration_mps2(scene.world_from_egos, scene.stamps_ns)
+    for index, (pose, sprung) in enumerate(zip(scene.world_from_egos, accelerations_mps2, strict=True)):
+        tilt, height = config.stance.tilt_rad(sprung), config.stance.height_m(sprung)
+        stance = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e-4, 1e-3, 1e-3, height]))
         values.insert(road_key(index), to_gtsam(pose))
         graph.add(gtsam.BetweenFactorPose3(pose_key(index), road_key(index), gtsam.Pose3(), stance))
     for index, (before, after) in enumerate(pairwise(scene.world_from_egos)):

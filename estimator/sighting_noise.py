@@ -6,6 +6,7 @@ import numpy as np
 
 from estimator.align import Aligned
 from estimator.config import Config
+from estimator.loss import Loss
 from estimator.ranges import Factor, SigmaPx
 from estimator.se3 import Array
 
@@ -23,6 +24,11 @@ class SightingNoise(Config):
     floor_px: SigmaPx = 0.1
     ceiling_px: SigmaPx = 2.0
     loss_sigmas: Factor = 0.25
+
+    @property
+    def loss(self) -> Loss:
+        """The loss that a window is adjusted with at last."""
+        return Loss(self.loss_sigmas, of_sigma=True)
 
     def sigma_px(self, measured: Aligned) -> Array:
         """Return (N,) the standard deviations to state of aligned sightings; NaN where not aligned."""

@@ -24,6 +24,7 @@ from estimator.road_level import level_on_road, rescale_on_road
 from estimator.se3 import Array
 from estimator.soundness import is_sound
 from estimator.stopwatch import Stopwatch
+from estimator.window_adjust import adjust_by_losses
 from estimator.window_config import WindowConfig
 from estimator.window_result import WindowResult, conclude
 from estimator.window_state import WindowState
@@ -142,12 +143,13 @@ class WindowCalibration:
         something far, patches that are no plane) are off by several sigmas, and in one direction for whole
         classes of them, so the second loss is tight.
         """
-        state, config = self.state, self.config
+        state, losses = self.state, (Loss(0.5), self.config.sighting_noise.loss)
         with self.stopwatch.stage("window"):
-            on_road = road_landmarks(state.scene, fine, config.road_tolerance_m)
-            state.adjust(fine, on_road, Loss(0.5), config.graph)
-            loss = Loss(config.sighting_noise.loss_sigmas, of_sigma=True)
-            return state.adjust(fine, on_road, loss, config.graph, want_covariance=want_covariance)
+            return state.take(
+                adjust_by_losses(
+                    state.scene, fine, state.belief, losses, self.config, want_covariance=want_covariance
+                )
+            )
 
     def _conclude(self, fine: Observations) -> WindowResult | None:
         """Adjust once more, and see what that taught."""

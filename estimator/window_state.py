@@ -14,7 +14,7 @@ from estimator.clocks import Clocks
 from estimator.corridor import road_landmarks
 from estimator.corridor_config import CorridorConfig
 from estimator.factors import GraphConfig
-from estimator.graph import adjust
+from estimator.graph import Adjusted, adjust
 from estimator.keyframe import Keyframe, gather_observations
 from estimator.loss import Loss
 from estimator.observations import Mask, Observations
@@ -92,15 +92,13 @@ class WindowState:
         graph: GraphConfig,
         *,
         fixed_poses: bool = False,
-        want_covariance: bool = False,
-    ) -> Array:
-        """Fit the whole scene to sightings; return the covariance of ``estimator.graph.adjust``."""
-        adjusted = adjust(
-            self.scene, seen, on_road, self.belief, loss, graph,
-            fixed_poses=fixed_poses, want_covariance=want_covariance,
-        )  # fmt: skip
-        self.scene = adjusted.scene
-        self.scale_information = adjusted.scale_information
+    ) -> None:
+        """Fit the whole scene to sightings."""
+        self.take(adjust(self.scene, seen, on_road, self.belief, loss, graph, fixed_poses=fixed_poses))
+
+    def take(self, adjusted: Adjusted) -> Array:
+        """Take over the outcome of an adjustment; return its covariance."""
+        self.scene, self.scale_information = adjusted.scene, adjusted.scale_information
         return adjusted.covariance
 
     def adjust_path(self, seen: Observations, on_road: Mask, loss: Loss, graph: GraphConfig) -> None:

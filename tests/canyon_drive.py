@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate
-from estimator.lens_watch import LensConfig
-from estimator.online import OnlineConfig
+from estimator.lens_config import LensConfig
+from estimator.online_config import OnlineConfig
 from estimator.rig import Rig
 from tests.canyon import render
 from tests.mounts import arc, left_side_rig, shaken

@@ -13,7 +13,8 @@ from estimator.corrections import rig_at
 from estimator.estimate import CameraEstimate
 from estimator.graph import adjust
 from estimator.ledger import Ledger, LedgerConfig
-from estimator.lens_watch import LensConfig, LensWatch, Refine
+from estimator.lens_config import LensConfig, Refine
+from estimator.lens_watch import LensWatch
 from estimator.loss import Loss
 from estimator.off_nominal import OffNominal
 from estimator.se3 import SE3, Array

@@ -12,7 +12,8 @@ from pydantic import ValidationError
 
 from estimator.batch import BatchConfig
 from estimator.config_error import describe_first_error
-from estimator.online import OnlineConfig, OnlineEstimator
+from estimator.online import OnlineEstimator
+from estimator.online_config import OnlineConfig
 from tests.canyon_drive import NOMINAL, canyon_bundles
 from tests.settings import Setting, all_settings
 

@@ -8,7 +8,8 @@ import pytest
 from estimator.clock_doubt import ClockDoubt
 from estimator.estimate import Status
 from estimator.finding import FindingKind
-from estimator.lens_watch import LensConfig, LensWatch
+from estimator.lens_config import LensConfig
+from estimator.lens_watch import LensWatch
 from estimator.window_config import WindowConfig
 from tests.mounts import arc
 from tests.watched_drives import BEND, LATE, NOMINAL, STRAIGHT, stated, watched

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from estimator.finding import FindingKind
-from estimator.lens_watch import LensConfig
+from estimator.lens_config import LensConfig
 from tests.watched_drives import LATE, STRAIGHT, watched
 
 FAR = (0.0, 0.0, -0.04)

@@ -32,9 +32,14 @@ def information(
 
 
 def test_the_road_says_what_its_ride_heights_allow() -> None:
-    one_height = (RIG["front"].ego_from_cam.translation[2] / GraphConfig().ride_height_sigma_m) ** 2
-    assert 3 * one_height < information()[ROAD] < 6 * one_height
+    one_height = (RIG["front"].ego_from_cam.translation[2] / GraphConfig().stance.height_sigma_m) ** 2
+    assert 2 * one_height < information()[ROAD] < 6 * one_height
     assert information(road=False)[ROAD] < 1e-3 * one_height
+
+
+def test_a_car_that_brakes_or_turns_hard_says_less_of_its_height() -> None:
+    calm, hard = (information(1 / 10, period_ns=period)[ROAD] for period in (1_000_000_000, 100_000_000))
+    assert 0.05 * calm < hard < 0.5 * calm
 
 
 def test_the_rear_axle_speaks_in_turns_only_and_louder_in_slow_ones() -> None:

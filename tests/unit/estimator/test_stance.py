@@ -1,0 +1,50 @@
+"""How much the body of a car moves on its springs, from how the car drives."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from estimator.se3 import SE3
+from estimator.stance import acceleration_mps2
+from tests.mounts import arc
+
+STEP_NS = 200_000_000
+
+
+def stamps(count: int) -> tuple[int, ...]:
+    return tuple(index * STEP_NS for index in range(count))
+
+
+def braking(from_mps: float, by_mps2: float, count: int) -> list[SE3]:
+    times_s = np.array(stamps(count)) * 1e-9
+    return [SE3(np.eye(3), np.array([from_mps * t - 0.5 * by_mps2 * t**2, 0.0, 0.0])) for t in times_s]
+
+
+def test_steady_straight_driving_is_calm() -> None:
+    np.testing.assert_allclose(acceleration_mps2(braking(5.0, 0.0, 8), stamps(8)), 0, atol=1e-9)
+
+
+def test_a_circle_pulls_by_speed_squared_over_radius() -> None:
+    poses = arc(1.0, 10, 1 / 20)
+    np.testing.assert_allclose(acceleration_mps2(poses, stamps(10)), 5.0**2 / 20, rtol=0.01)
+
+
+@pytest.mark.parametrize("by_mps2", [3.0, -2.0])
+def test_braking_and_speeding_up_count_alike(by_mps2: float) -> None:
+    np.testing.assert_allclose(
+        acceleration_mps2(braking(8.0, by_mps2, 8), stamps(8)), abs(by_mps2), rtol=1e-6
+    )
+
+
+def test_only_the_keyframes_around_the_brakes_count() -> None:
+    calm = braking(5.0, 0.0, 12)
+    hard = [SE3(p.rotation, calm[-1].translation + p.translation) for p in braking(5.0, 3.0, 8)][1:]
+    felt = acceleration_mps2([*calm, *hard], stamps(19))
+    np.testing.assert_allclose(felt[:10], 0, atol=1e-9)
+    np.testing.assert_allclose(felt[13:], 3.0, rtol=1e-6)
+
+
+@pytest.mark.parametrize("stamps_ns", [(), (0, 0, 0, 0), (3, 2, 1, 0)])
+def test_without_stamps_that_rise_a_car_counts_as_calm(stamps_ns: tuple[int, ...]) -> None:
+    np.testing.assert_array_equal(acceleration_mps2(braking(5.0, 3.0, 4), stamps_ns), 0.0)
