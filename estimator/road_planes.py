@@ -56,8 +56,8 @@ def _add_planes(
 ) -> None:
     accelerations_mps2 = acceleration_mps2(scene.world_from_egos, scene.stamps_ns)
     for index, (pose, sprung) in enumerate(zip(scene.world_from_egos, accelerations_mps2, strict=True)):
-        tilt, height = config.stance.tilt_rad(sprung), config.stance.height_m(sprung)
-        stance = gtsam.noiseModel.Diagonal.Sigmas(np.array([tilt, tilt, 1e-4, 1e-3, 1e-3, height]))
+        covariance = config.stance.covariance(sprung, scene.corridor.middle_m)
+        stance = gtsam.noiseModel.Gaussian.Covariance(covariance)
         values.insert(road_key(index), to_gtsam(pose))
         graph.add(gtsam.BetweenFactorPose3(pose_key(index), road_key(index), gtsam.Pose3(), stance))
     for index, (before, after) in enumerate(pairwise(scene.world_from_egos)):

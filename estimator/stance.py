@@ -15,6 +15,7 @@ from estimator.config import Config
 from estimator.ranges import Share, SigmaM, SigmaRad
 from estimator.se3 import SE3, Array
 
+_ALIGNED_RAD, _ALIGNED_M = 1e-4, 1e-3  # the road's frame is under the car's own, and heads the same way
 _REACH = 2  # steps before and after a keyframe that its acceleration is taken from
 
 
@@ -25,17 +26,28 @@ class StanceConfig(Config):
     """
 
     height_sigma_m: SigmaM = 0.01
-    height_m_per_mps2: Share = 0.006
+    height_m_per_mps2: Share = 0.003
     tilt_sigma_rad: SigmaRad = 0.01
     tilt_rad_per_mps2: Share = 0.008
 
-    def height_m(self, acceleration_mps2: float) -> float:
-        """Return the sigma of the height over the road."""
-        return float(np.hypot(self.height_sigma_m, self.height_m_per_mps2 * acceleration_mps2))
+    def covariance(self, acceleration_mps2: float, middle_m: float) -> Array:
+        """Return the (6, 6) covariance of the road's pose in the ego frame.
 
-    def tilt_rad(self, acceleration_mps2: float) -> float:
-        """Return the sigma of pitch and of roll against the road."""
-        return float(np.hypot(self.tilt_sigma_rad, self.tilt_rad_per_mps2 * acceleration_mps2))
+        Braking dives the body about the middle of the wheelbase, which keeps its height. What tilts a calm
+        car (load, a road that bends between its axles) has no such pivot.
+
+        Args:
+            acceleration_mps2: How hard the car accelerates, brakes or turns.
+            middle_m: How far the middle of the wheelbase is ahead of the ego frame's origin.
+        """
+        calm = np.array(
+            [self.tilt_sigma_rad] * 2 + [_ALIGNED_RAD, _ALIGNED_M, _ALIGNED_M, self.height_sigma_m]
+        )
+        sprung = np.array([self.tilt_rad_per_mps2] * 2 + [0.0, 0.0, 0.0, self.height_m_per_mps2])
+        at_origin = np.eye(6)
+        at_origin[5, 1] = middle_m  # nose down, the road rises ahead: under the origin it lies lower
+        moved = at_origin @ np.diag((acceleration_mps2 * sprung) ** 2) @ at_origin.T
+        return np.asarray(np.diag(calm**2) + moved)
 
 
 def acceleration_mps2(world_from_egos: Sequence[SE3], stamps_ns: Sequence[int]) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 from estimator.scene import Scene
 from estimator.se3 import SE3, Array
 
+_WHEELBASE_M = 2.7
 Height = Callable[[Array], Array]
 
 
@@ -19,11 +20,11 @@ def crest(bend_per_m: float, at_m: float = 3.0) -> Height:
 
 
 def bent(scene: Scene, height: Height) -> Scene:
-    """Lift everything by the road's height at its x, and pitch the car with the slope."""
+    """Lift everything by the road's height at its x, and put the car on it with both its axles."""
     poses = []
     for pose in scene.world_from_egos:
         x, y, z = pose.translation
-        slope = float(height(np.array(x + 1e-4)) - height(np.array(x - 1e-4))) / 2e-4
+        slope = float(height(np.array(x + _WHEELBASE_M)) - height(np.array(x))) / _WHEELBASE_M
         pitch = SE3.exp(np.array([0.0, -np.arctan(slope), 0.0, 0.0, 0.0, 0.0]))
         lifted = np.array([x, y, z + float(height(np.array(x)))])
         poses.append(SE3(pitch.rotation @ pose.rotation, lifted))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from estimator.se3 import SE3
-from estimator.stance import acceleration_mps2
+from estimator.stance import StanceConfig, acceleration_mps2
 from tests.mounts import arc
 
 STEP_NS = 200_000_000
@@ -48,3 +48,20 @@ def test_only_the_keyframes_around_the_brakes_count() -> None:
 @pytest.mark.parametrize("stamps_ns", [(), (0, 0, 0, 0), (3, 2, 1, 0)])
 def test_without_stamps_that_rise_a_car_counts_as_calm(stamps_ns: tuple[int, ...]) -> None:
     np.testing.assert_array_equal(acceleration_mps2(braking(5.0, 3.0, 4), stamps_ns), 0.0)
+
+
+def test_a_body_that_dives_keeps_its_height_in_the_middle_of_the_wheelbase() -> None:
+    covariance = StanceConfig().covariance(3.0, 1.35)
+    dive_rad = 0.02  # nose down: seen from the body, the road rises ahead
+    held = np.array([0, -dive_rad, 0, 0, 0, -1.35 * dive_rad])
+    sunk = np.array([0, -dive_rad, 0, 0, 0, 0.0])
+    assert held @ np.linalg.solve(covariance, held) < 1.0 < 2 < sunk @ np.linalg.solve(covariance, sunk)
+
+
+def test_a_calm_car_stands_as_the_settings_say_and_a_hard_driven_one_less_surely() -> None:
+    config, middle = StanceConfig(), np.array([0, -1.35, 0, 0, 0, 1.0])  # the height there
+    calm, hard = (config.covariance(by_mps2, 1.35) for by_mps2 in (0.0, 4.0))
+    np.testing.assert_allclose(np.sqrt(np.diag(calm))[[0, 1, 5]], [0.01, 0.01, 0.01])
+    rises = middle @ (hard - calm) @ middle
+    assert np.sqrt(rises) == pytest.approx(4 * config.height_m_per_mps2)
+    assert np.sqrt(hard[0, 0]) == pytest.approx(np.hypot(0.01, 4 * config.tilt_rad_per_mps2))
