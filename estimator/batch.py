@@ -14,31 +14,40 @@ from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.config import Config
 from estimator.estimate import Estimate
-from estimator.factors import GraphConfig
+from estimator.finding import Finding, FindingKind
 from estimator.keyframe import Keyframe
 from estimator.lens_config import Refine
 from estimator.online import OnlineEstimator
 from estimator.online_config import OnlineConfig
+from estimator.ranges import PositiveShare, RepeatCount, StepCount
 from estimator.rig import Rig
 from estimator.scale import ScaleInformation, after_window
 from estimator.stopwatch import Stopwatch
 from estimator.window import WindowCalibration
 from estimator.window_config import WindowConfig
 
-_PATIENT = GraphConfig(iterations=30, relative_tolerance=1e-5)
-
 
 class BatchConfig(Config):
     """Settings of the batch estimator.
 
     A drive of more than ``segment_keyframes`` is adjusted in segments, one after the other, each with what
-    the ones before it taught as its prior: images are held for one segment at a time.
+    the ones before it taught as its prior: images are held for one segment at a time. A segment is adjusted
+    as ``online.window`` says, only more patiently.
     """
 
     online: OnlineConfig = OnlineConfig()
-    window: WindowConfig = WindowConfig(repeats=1, graph=_PATIENT)
+    repeats: RepeatCount = 1
+    iterations: StepCount = 30
+    relative_tolerance: PositiveShare = 1e-5
     segment_keyframes: int = Field(100, ge=2, le=10_000)
     refine: Refine = "none"
+
+    @property
+    def window(self) -> WindowConfig:
+        """How a segment is adjusted."""
+        window, patience = self.online.window, ("iterations", "relative_tolerance")
+        graph = window.graph.model_copy(update={name: getattr(self, name) for name in patience})
+        return window.model_copy(update={"repeats": self.repeats, "graph": graph})
 
 
 class BatchEstimator:
@@ -58,6 +67,8 @@ class BatchEstimator:
         self._scale_information: ScaleInformation = {}
         self._has_learnt = False
         self._segment: list[Keyframe] = []
+        self._segment_count = self._failed_count = 0
+        self._reference = rig.reference
 
     def update(self, bundle: FrameBundle) -> Estimate:
         """Follow the bundle as the online estimator does, and keep the keyframes."""
@@ -79,11 +90,22 @@ class BatchEstimator:
         answer = self._online.close()
         self._adjust_segment()
         if not self._has_learnt:
-            return answer
+            return self._with_failures(answer)
         belief = self._belief
         if self._refines:  # segments take lenses and clocks as refined; how unsure those are they do not know
             belief = replace(belief, covariance=self._online.belief.covariance)
-        return self._online.final_answer(belief, self._scale_information)
+        return self._with_failures(self._online.final_answer(belief, self._scale_information))
+
+    def _with_failures(self, answer: Estimate) -> Estimate:
+        if not self._failed_count:
+            return answer
+        rest = "the others" if self._has_learnt else "what the windows taught"
+        about = (
+            f"{self._failed_count} of {self._segment_count} segments of the drive could not be adjusted as a "
+            f"whole: the answer rests on {rest}"
+        )
+        failed = Finding(FindingKind.UNSOLVED_WINDOWS, (self._reference,), about, doubtful=False)
+        return replace(answer, findings=(*answer.findings, failed))
 
     def _forget(self, moved: frozenset[str]) -> None:
         """Begin anew for cameras that moved: a segment knows one place for each."""
@@ -105,7 +127,10 @@ class BatchEstimator:
         result = WindowCalibration(
             keyframes, before, True, self.config.window, Stopwatch(), start=start
         ).run()
-        if result is not None:
+        self._segment_count += 1
+        if result is None:
+            self._failed_count += 1
+        else:
             self._belief, self._has_learnt = result.belief, True
             self._scale_information = after_window(self._scale_information, result.scale_information)
             corrected = result.path_from(keyframes[0].world_from_ego)

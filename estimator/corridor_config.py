@@ -1,4 +1,4 @@
-"""The size of the car, as far as it tells where road is."""
+"""The size of the car, as far as it tells where road is and how its body dives."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class CorridorConfig(Config):
     """Where a car drives there is road: so far to each side, so far before and behind its middle.
 
     The middle is that of the wheelbase, so far ahead of the rear axle: between its wheels a car knows the
-    road best.
+    road best, and about it the body dives when it brakes.
     """
 
     half_width_m: LengthM = 1.4

@@ -18,6 +18,7 @@ class FindingKind(StrEnum):
     NOMINAL_REJECTED = "nominal_rejected"
     NO_MOTION = "no_motion"
     UNEXPLAINED_IMAGES = "unexplained_images"
+    UNSOLVED_WINDOWS = "unsolved_windows"
     CONTRADICTED = "contradicted"
     MOVED_CAMERA = "moved_camera"
 

@@ -15,7 +15,7 @@ import gtsam
 import numpy as np
 
 from estimator.config import Config
-from estimator.ranges import Share, SigmaRad
+from estimator.ranges import RadPerMps2, SigmaRad
 from estimator.se3 import SE3, Array, skew
 
 
@@ -27,10 +27,10 @@ class RearAxleConfig(Config):
     """
 
     heading_sigma_rad: SigmaRad = 0.005  # of the true axle against the ego frame
-    slip_rad_per_mps2: Share = 0.006
+    slip_rad_per_mps2: RadPerMps2 = 0.006
     slip_sigma_rad_per_mps2: SigmaRad = 0.003
     floor: SigmaRad = 0.003  # metres sideways a metre, from one keyframe to the next
-    per_mps2: Share = 0.002  # what the slip is off its own mean, more in harder turns
+    per_mps2: RadPerMps2 = 0.002  # what the slip is off its own mean, more in harder turns
 
 
 def add_rear_axle(

@@ -9,7 +9,7 @@ import numpy as np
 from estimator.config import Config
 from estimator.evidence import Posterior
 from estimator.finding import Finding, FindingKind
-from estimator.ranges import Factor, PositiveShare, SizePx, StepCount, TimeS
+from estimator.ranges import Factor, PositiveShare, SizePx, TimeS
 from estimator.rig import Rig
 from estimator.se3 import Array
 from estimator.unknowns import Unknowns
@@ -26,7 +26,6 @@ class AccusationConfig(Config):
     center_px: SizePx = 1.0
     clock_s: TimeS = 0.003
     sigmas: Factor = 6.0
-    min_windows: StepCount = 2
 
 
 def accusations(posterior: Posterior, nominal: Rig, config: AccusationConfig) -> tuple[Finding, ...]:

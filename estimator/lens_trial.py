@@ -15,7 +15,6 @@ from estimator.corrections import belief_from, scene_at
 from estimator.corridor import road_landmarks
 from estimator.evidence import Evidence, Free, differences
 from estimator.lens_config import LensConfig
-from estimator.loss import Loss
 from estimator.observations import Observations
 from estimator.scene import Scene
 from estimator.unknowns import Unknowns
@@ -70,8 +69,7 @@ class LensTrial:
         """Adjust the window with lenses and clocks as now known, after all that was known before it."""
         before = belief_from(self.before, self.config.usual, free)
         scene = scene_at(scene, belief_from(evidence, self.config.usual, free))
-        losses = (Loss(0.5), self.window.sighting_noise.loss)
-        return adjust_by_losses(scene, seen, before, losses, self.window).scene
+        return adjust_by_losses(scene, seen, before, self.window.fine_losses, self.window).scene
 
     def _with(self, scene: Scene, seen: Observations, *, curved: bool = True) -> Evidence:
         on_road = road_landmarks(scene, seen, self.window.road_tolerance_m)

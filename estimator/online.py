@@ -7,6 +7,7 @@ import numpy as np
 from estimator.belief import Belief
 from estimator.bundle import FrameBundle
 from estimator.estimate import Estimate, Match
+from estimator.factors import flattened
 from estimator.front_end import FrontEnd
 from estimator.keyframe import Keyframe
 from estimator.ledger import Ledger
@@ -141,8 +142,7 @@ class OnlineEstimator:
         """Move path, tracks and odometry to where the window found the car to be."""
         first, last = result.scene.world_from_egos[0], result.scene.world_from_egos[-1]
         if self._ledger.is_empty:  # the first window says how level the car stood when it started
-            heading = keyframes[0].world_from_ego.log()[2]
-            flat = SE3.exp(np.array([0.0, 0.0, heading, 0.0, 0.0, 0.0]))
+            flat = flattened(keyframes[0].world_from_ego)
             world_from_first = SE3(flat.rotation @ first.rotation, keyframes[0].world_from_ego.translation)
         else:
             world_from_first = keyframes[0].world_from_ego

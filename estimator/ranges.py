@@ -17,6 +17,7 @@ Count = Annotated[int, Field(ge=0, le=100_000)]
 PositiveCount = Annotated[int, Field(ge=1, le=100_000)]
 PointCount = Annotated[int, Field(ge=5, le=100_000)]  # fewer leave a pose open
 KeyframeCount = Annotated[int, Field(ge=2, le=1000)]
+RepeatCount = Annotated[int, Field(ge=0, le=10)]
 StepCount = Annotated[int, Field(ge=1, le=1000)]
 CellPx = Annotated[int, Field(ge=2, le=1000)]
 HalfPatchPx = Annotated[int, Field(ge=2, le=30)]
@@ -32,6 +33,9 @@ SigmaM = Annotated[float, Field(ge=1e-6, le=100)]
 SizePx = Annotated[float, Field(gt=0, le=1000)]
 SizeOrNonePx = Annotated[float, Field(ge=0, le=1000)]
 SigmaPx = Annotated[float, Field(ge=1e-3, le=100)]
+
+RadPerMps2 = Annotated[float, Field(ge=0, le=1)]
+MPerMps2 = Annotated[float, Field(ge=0, le=1)]
 
 TimeS = Annotated[float, Field(gt=0, le=3600)]
 ClockSigmaS = Annotated[float, Field(ge=1e-6, le=1)]

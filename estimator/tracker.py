@@ -16,6 +16,7 @@ from estimator.ranges import AngleRad, Count, LengthM, PositiveCount, SizeOrNone
 from estimator.se3 import SE3, Array
 from estimator.track_table import TrackTable
 
+_IDLE_M = 3.0  # what has not moved after so long a way will not
 _FAR_M = 15.0  # the distance assumed of a point that has none yet and does not look at the road
 
 
@@ -117,12 +118,15 @@ class Tracker:
         self.tracks.keep(self.own_car.see(self.tracks, focal_px, world_from_ego, ego_from_cam, step_m))
 
     def retire(self, world_from_cam: SE3) -> None:
-        """Drop tracks that have come far, and those that stand still in the image while the car moves."""
+        """Drop tracks that have come far, and those that stand still while the car moves: they show nothing.
+
+        Most of the latter are far ahead or sky; what stands still on the car itself is barred sooner.
+        """
         tracks = self.tracks
         travel_m = np.linalg.norm(world_from_cam.translation - tracks.anchor_center_world, axis=1)
         moved_px = np.linalg.norm(tracks.pixels - tracks.anchor_pixels, axis=1)
-        own_car = (travel_m > 3.0) & (moved_px < self.config.static_px * travel_m)
-        tracks.keep(~((travel_m > self.config.max_travel_m) | own_car))
+        idle = (travel_m > _IDLE_M) & (moved_px < self.config.static_px * travel_m)
+        tracks.keep(~((travel_m > self.config.max_travel_m) | idle))
 
     def predict(self, world_from_cam_before: SE3, world_from_cam: SE3) -> Array:
         """Return the (N, 2) pixels where the tracks should appear from a new pose.

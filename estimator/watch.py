@@ -18,6 +18,7 @@ from estimator.off_nominal import OffNominal
 from estimator.prior_watch import PriorWatch, PriorWatchConfig
 from estimator.rig import Rig
 from estimator.stamp_watch import StampWatch, StampWatchConfig
+from estimator.unsolved_watch import UnsolvedWatch, UnsolvedWatchConfig
 from estimator.window_result import WindowResult
 
 
@@ -30,6 +31,7 @@ class WatchConfig(Config):
     mount: MountWatchConfig = MountWatchConfig()
     common: CommonViewConfig = CommonViewConfig()
     prior: PriorWatchConfig = PriorWatchConfig()
+    unsolved: UnsolvedWatchConfig = UnsolvedWatchConfig()
 
 
 class Watch:
@@ -43,6 +45,7 @@ class Watch:
         self._mounts = MountWatch(rig, config.mount)
         self._common = CommonViewWatch(rig, config.common)
         self._prior = PriorWatch(rig, config.prior, off_nominal)
+        self._unsolved = UnsolvedWatch(rig.reference, config.unsolved)
         self._stamp_ns: int | None = None
 
     def admit(self, bundle: FrameBundle) -> FrameBundle | None:
@@ -62,6 +65,7 @@ class Watch:
     def see_window(self, keyframes: Sequence[Keyframe], before: Belief, result: WindowResult | None) -> None:
         """Take note of a window, of what was believed before it, and of what it taught, if anything."""
         self._mounts.see(keyframes)
+        self._unsolved.see(keyframes, solved=result is not None)
         if result is not None:
             self._common.see(result.matches, result.inlier_count)
             self._prior.see(before, result.belief)
@@ -75,6 +79,7 @@ class Watch:
             *self._mounts.findings(),
             *self._common.findings(),
             *self._prior.findings(),
+            *self._unsolved.findings(),
         )
 
 

@@ -143,7 +143,7 @@ class WindowCalibration:
         something far, patches that are no plane) are off by several sigmas, and in one direction for whole
         classes of them, so the second loss is tight.
         """
-        state, losses = self.state, (Loss(0.5), self.config.sighting_noise.loss)
+        state, losses = self.state, self.config.fine_losses
         with self.stopwatch.stage("window"):
             return state.take(
                 adjust_by_losses(

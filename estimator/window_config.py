@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from pydantic import Field
-
 from estimator.align import AlignConfig
 from estimator.config import Config
 from estimator.corridor_config import CorridorConfig
 from estimator.factors import GraphConfig
 from estimator.handover import HandoverConfig
-from estimator.ranges import AngleRad, LengthM, PositiveShare, SearchRad, SigmaPx
+from estimator.loss import Loss
+from estimator.ranges import AngleRad, LengthM, PositiveShare, RepeatCount, SearchRad, SigmaPx
 from estimator.sighting_noise import SightingNoise
 from estimator.window_result import ResultConfig
 
@@ -19,7 +18,7 @@ class WindowConfig(Config):
 
     track_sigma_px: SigmaPx = 0.5
     sighting_noise: SightingNoise = SightingNoise()
-    repeats: int = Field(0, ge=0, le=10)  # how often sightings are measured again from a better scene
+    repeats: RepeatCount = 0  # how often sightings are measured again from a better scene
     unsure_rad: AngleRad = 0.006
     wide_search_rad: SearchRad = 0.04
     narrow_search_rad: SearchRad = 0.008
@@ -31,3 +30,8 @@ class WindowConfig(Config):
     rough_graph: GraphConfig = GraphConfig(road_sigma_m=0.08)  # pavements count as road
     handover: HandoverConfig = HandoverConfig()
     align: AlignConfig = AlignConfig()
+
+    @property
+    def fine_losses(self) -> tuple[Loss, Loss]:
+        """The losses that measured-again sightings are adjusted with, one after the other."""
+        return Loss(0.5), self.sighting_noise.loss

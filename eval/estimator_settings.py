@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from typing import cast
+from typing import Any, cast
 
 from pydantic import ValidationError
 
@@ -12,7 +12,7 @@ from estimator.config import Config
 from estimator.config_error import describe_first_error
 from estimator.errors import InputError
 from estimator.interface import Estimator, EstimatorFactory
-from scenarios.overrides import parse_overrides
+from scenarios.overrides import merge, parse_overrides
 
 _PREFIX = "estimator."
 
@@ -40,7 +40,17 @@ def with_settings(name: str, factory: EstimatorFactory, settings: Iterable[str])
     if not (isinstance(config_type, type) and issubclass(config_type, Config)):
         raise InputError(f"--set {own[0]}: estimator {name!r} takes no settings: it has no config_type")
     try:
-        config = config_type.model_validate(parse_overrides(own)["estimator"], strict=True)
+        config = _with_defaults(config_type, parse_overrides(own)["estimator"])
     except ValidationError as error:
         raise InputError(f"--set {_PREFIX}{describe_first_error(error, config_type)}") from None
     return cast(EstimatorFactory, partial(cast(Callable[..., Estimator], factory), config=config))
+
+
+def _with_defaults(config_type: type[Config], chosen: Mapping[str, Any]) -> Config:
+    """Return settings with everything that was not chosen as the whole has it.
+
+    A group that stands inside another may have other defaults there than by itself, so the chosen values are
+    put into the whole's own, not into those of their group.
+    """
+    config_type.model_validate(chosen, strict=True)  # what is wrong is told by what was given
+    return config_type.model_validate(merge(config_type().model_dump(), chosen), strict=True)

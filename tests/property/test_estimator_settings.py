@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from typing import Any, get_args
 
 import pytest
@@ -10,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+import estimator
 from estimator.batch import BatchConfig
 from estimator.config_error import describe_first_error
 from estimator.online import OnlineEstimator
@@ -56,6 +59,15 @@ def test_every_number_has_a_range_at_both_ends(path: str) -> None:
     assert bounds(NUMBERS[path].field.metadata) == 2
 
 
+SOURCES = "\n".join(path.read_text() for path in Path(estimator.__path__[0]).glob("*.py"))
+
+
+@pytest.mark.parametrize("path", [setting.path for setting in all_settings(BatchConfig)])
+def test_every_setting_is_read_somewhere(path: str) -> None:
+    name = path.rpartition(".")[2]
+    assert re.search(rf"\.{name}\b", SOURCES) or f'"{name}"' in SOURCES
+
+
 def test_the_defaults_lie_within() -> None:
     assert BatchConfig.model_validate(BatchConfig().model_dump()) == BatchConfig()
 
@@ -84,11 +96,11 @@ def test_a_number_out_of_range_is_refused_with_path_and_range(path: str, value: 
 
 
 def drive(values: dict[str, Any]) -> OnlineEstimator:
-    estimator = OnlineEstimator(NOMINAL, OnlineConfig.model_validate(nested(QUICK | values)))
+    driven = OnlineEstimator(NOMINAL, OnlineConfig.model_validate(nested(QUICK | values)))
     for bundle in BUNDLES:
-        estimator.update(bundle)
-    estimator.close()
-    return estimator
+        driven.update(bundle)
+    driven.close()
+    return driven
 
 
 def test_the_drive_is_long_enough_to_learn_from() -> None:

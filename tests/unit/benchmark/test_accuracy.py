@@ -10,6 +10,7 @@ import pytest
 from tests.benchmark.accuracy import Claim, Run, claim_row, honesty_rows, main, read_runs, scenario_rows
 
 CLAIM = Claim("a drive", ("some_drive",), "", False, 0.1, 40)
+WIDE_MM = {"rotation_deg": 0.15, "translation_mm": 900.0}  # says nothing of how it is turned
 WEAK = Claim("a drive", ("some_drive",), "", True, 0.1, 40, or_weak=True)
 
 
@@ -47,6 +48,9 @@ def test_a_claim_holds_by_the_median_or_by_the_worst_seed() -> None:
         (camera(0.5, "weak", stated_deg=0.6), "(weak) | yes |"),
         (camera(0.5, "converged", stated_deg=0.6), "mm | **no** |"),
         (camera(0.5, "weak", stated_deg=0.2), "mm | **no** |"),
+        (camera(0.12, "weak", stated_deg=0.15), "mm | **no** |"),  # its sigma is 0.093
+        (camera(0.5, "lost", stated_deg=0.6), "mm | **no** |"),
+        (camera(0.12, "weak", stated_deg=0.15) | {"stated95": WIDE_MM}, "mm | **no** |"),
     ],
 )
 def test_weak_counts_only_where_the_region_is_wide_and_holds_the_truth(
@@ -75,14 +79,18 @@ def test_honesty_counts_cameras() -> None:
     first = replace(run(0, camera(0.02), "first_drive"), converged_at_50m=1.0)
     runs = [first, replace(run(1, camera(0.5, "weak", 0.2), "first_drive"), converged_at_50m=0.5)]
     text = "\n".join(honesty_rows(runs))
-    assert "2 cameras | 90 to 98 % | 50.0 %" in text and "| 95 % | 75 % |" in text and "0.80" in text
-    assert "all the same | 0 | 0 |" in text and "0.020 deg, 1.0 mm" in text
+    assert (
+        "2 cameras | 90 to 98 % | 50.0 % | **no** |" in text
+        and "| 95 % | 75 % | **no** |" in text
+        and "0.80" in text
+    )
+    assert "all the same | 0 | 0 | yes |" in text and "0.020 deg, 1.0 mm" in text
     assert scenario_rows(runs) == ["| `first_drive` | 0.260 (0.500) | 1.0 (1.0) | 1 of 2 | 0.80 | 1 |"]
 
 
 def test_a_camera_that_got_worse_counts_unless_its_status_says_so() -> None:
     runs = [run(0, camera(4.0)), run(1, camera(4.0, "weak"))]
-    assert "all the same | 0 | 1 |" in "\n".join(honesty_rows(runs))
+    assert "all the same | 0 | 1 | **no** |" in "\n".join(honesty_rows(runs))
 
 
 def write_run(folder: Path, estimator: str, driven_m: float) -> None:
@@ -124,3 +132,9 @@ def test_statuses_count_where_the_car_had_come_fifty_metres(
 ) -> None:
     write_run(tmp_path / "run", "online", driven_m)
     assert read_runs(tmp_path)[0].converged_at_50m == share
+
+
+def test_a_camera_that_states_nothing_is_not_inside() -> None:
+    silent = camera(0.02) | {"stated95": None, "inside95": None}
+    text = "\n".join(honesty_rows([run(0, silent, "first_drive"), run(1, camera(0.02), "first_drive")]))
+    assert "2 cameras | 90 to 98 % | 50.0 % | **no** |" in text

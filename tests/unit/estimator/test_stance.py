@@ -26,15 +26,13 @@ def test_steady_straight_driving_is_calm() -> None:
 
 
 def test_a_circle_pulls_by_speed_squared_over_radius() -> None:
-    poses = arc(1.0, 10, 1 / 20)
-    np.testing.assert_allclose(acceleration_mps2(poses, stamps(10)), 5.0**2 / 20, rtol=0.01)
+    np.testing.assert_allclose(acceleration_mps2(arc(1.0, 10, 1 / 20), stamps(10)), 5.0**2 / 20, rtol=0.01)
 
 
 @pytest.mark.parametrize("by_mps2", [3.0, -2.0])
 def test_braking_and_speeding_up_count_alike(by_mps2: float) -> None:
-    np.testing.assert_allclose(
-        acceleration_mps2(braking(8.0, by_mps2, 8), stamps(8)), abs(by_mps2), rtol=1e-6
-    )
+    felt = acceleration_mps2(braking(8.0, by_mps2, 8), stamps(8))
+    np.testing.assert_allclose(felt, abs(by_mps2), rtol=1e-6)
 
 
 def test_only_the_keyframes_around_the_brakes_count() -> None:
@@ -43,6 +41,17 @@ def test_only_the_keyframes_around_the_brakes_count() -> None:
     felt = acceleration_mps2([*calm, *hard], stamps(19))
     np.testing.assert_allclose(felt[:10], 0, atol=1e-9)
     np.testing.assert_allclose(felt[13:], 3.0, rtol=1e-6)
+
+
+def test_a_car_that_brakes_to_a_stand_and_drives_off_again_was_calm_at_no_time() -> None:
+    meters = np.arange(0.0, 12.6, 1.0)
+    before_s = (np.sqrt(2 * 12.5 / 2.5) - np.sqrt(2 * (12.5 - meters) / 2.5))[:, None]  # from 7.9 m/s to 0
+    away_s = before_s[-1] + 30 + before_s[-1] - before_s[::-1]
+    times_s = np.concatenate([before_s, away_s]).ravel()
+    places_m = np.concatenate([meters, 25.0 - meters[::-1]])
+    poses = [SE3(np.eye(3), np.array([place, 0.0, 0.0])) for place in places_m]
+    felt = acceleration_mps2(poses, (times_s * 1e9).astype(np.int64).tolist())
+    np.testing.assert_allclose(felt, 2.5, atol=0.8)
 
 
 @pytest.mark.parametrize("stamps_ns", [(), (0, 0, 0, 0), (3, 2, 1, 0)])
@@ -62,6 +71,5 @@ def test_a_calm_car_stands_as_the_settings_say_and_a_hard_driven_one_less_surely
     config, middle = StanceConfig(), np.array([0, -1.35, 0, 0, 0, 1.0])  # the height there
     calm, hard = (config.covariance(by_mps2, 1.35) for by_mps2 in (0.0, 4.0))
     np.testing.assert_allclose(np.sqrt(np.diag(calm))[[0, 1, 5]], [0.01, 0.01, 0.01])
-    rises = middle @ (hard - calm) @ middle
-    assert np.sqrt(rises) == pytest.approx(4 * config.height_m_per_mps2)
+    assert np.sqrt(middle @ (hard - calm) @ middle) == pytest.approx(4 * config.height_m_per_mps2)
     assert np.sqrt(hard[0, 0]) == pytest.approx(np.hypot(0.01, 4 * config.tilt_rad_per_mps2))

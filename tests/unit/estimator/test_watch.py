@@ -11,12 +11,14 @@ from estimator.bundle import FrameBundle
 from estimator.common_view import CommonViewConfig, CommonViewWatch
 from estimator.estimate import Match
 from estimator.finding import Finding, FindingKind
+from estimator.keyframe import Keyframe
 from estimator.off_nominal import OffNominal
 from estimator.prior_watch import PriorWatch, PriorWatchConfig
 from estimator.rig import Rig, RigPrior
 from estimator.road import densest_scale
 from estimator.se3 import SE3
 from estimator.soundness import is_sound
+from estimator.unsolved_watch import UnsolvedWatch, UnsolvedWatchConfig
 from estimator.watch import Watch, WatchConfig, doubted
 from estimator.window_result import WindowResult
 from tests.known_scene import known_scene, sightings
@@ -119,3 +121,16 @@ def test_numbers_that_are_none_and_covariances_that_are_none_are_unsound() -> No
     assert not is_sound(replace(good, scene=replace(SCENE, world_from_egos=(SE3(np.full((3, 3), np.nan)),))))
     for covariance in (np.full((18, 18), np.nan), -np.eye(18)):
         assert not is_sound(replace(good, belief=Belief(RIG, covariance)))
+
+
+def test_windows_that_cannot_be_solved_are_told_until_one_can() -> None:
+    watch = UnsolvedWatch("front", UnsolvedWatchConfig())
+    window = [Keyframe(k, {}, pose, {}) for k, pose in enumerate(arc(1.0, 11))]
+    for _ in range(2):
+        watch.see(window, solved=False)
+    assert list(watch.findings()) == []
+    watch.see(window, solved=False)
+    (finding,) = watch.findings()
+    assert finding.cameras == ("front",) and not finding.doubtful and "3 windows (30 m)" in finding.about
+    watch.see(window, solved=True)
+    assert list(watch.findings()) == []
