@@ -264,13 +264,11 @@ NONSENSE = {
 
 
 REJECTED, UNEXPLAINED = FindingKind.NOMINAL_REJECTED, FindingKind.UNEXPLAINED_IMAGES
-SAID: dict[
-    str, set[tuple[FindingKind, tuple[str, ...]]]
-] = {  # after one window; an empty set: nothing at all
+SAID: dict[str, set[tuple[FindingKind, tuple[str, ...]]]] = {  # an empty set: nothing at all
     "underground": {(REJECTED, ("front",))},
     "on the road": {(REJECTED, ("front",))},
     "on a mast": set(),  # the car seems to fly, which is no contradiction: the others stay weak
-    "at one point": {(REJECTED, ("left_front",))},
+    "at one point": {(REJECTED, ("left_front",)), (REJECTED, ("left_rear",))},
     "one camera by 90": {(UNEXPLAINED, ("left_rear",))},
     "one camera by 180": {(UNEXPLAINED, ("left_front",))},
     "one camera upside down": set(),  # it is weak: in one window nothing tells
@@ -288,6 +286,7 @@ SAID: dict[
 def test_nonsense_poses_are_never_confidently_kept_and_what_can_be_told_is(
     bundles: Bundles, name: str
 ) -> None:
-    found = kinds(feed(bundles[:12], NONSENSE[name])[-1:])
+    needed = 20 if name == "at one point" else 12  # a camera off by 2 deg only is sure after two windows
+    found = kinds(feed(bundles[:needed], NONSENSE[name])[-1:])
     assert SAID[name] <= found
     assert SAID[name] or not found
